@@ -19,17 +19,12 @@ DEFAULT_MEMORY = 64 << 20
 
 
 class Budget:
-    """A limit on the total bytes of all pending things of one input. The oldest are evicted first.
-
-    most     total bytes
-    dropped  number of evicted things so far
-    given    number of ids given out so far: callers of `hold` take the next one
-    """
+    """A limit on the total bytes of all pending things of one input. The oldest are evicted first."""
 
     def __init__(self, most: int = DEFAULT_MEMORY) -> None:
-        self.most = most
-        self.dropped = 0
-        self.given = 0
+        self.most = most  # total bytes
+        self.dropped = 0  # number of evicted things so far
+        self.given = 0  # number of ids given out so far: callers of `hold` take the next one
         self._used = 0
         # By an increasing id: the size, the function that drops it, the owner's number for it, its identity.
         # A plain dictionary for speed: nearly every command of a capture is in it for a while.
@@ -38,15 +33,7 @@ class Budget:
         self._numbers: dict[int, int] = {}  # by the identity of the pending thing
 
     def hold(self, given: int, size: int, drop: Callable[[int], object], number: int) -> None:
-        """Adds a pending thing like `add`, but its owner keeps the id.
-
-        Args:
-            given: The id: `given` plus one, which the caller also stores in `given`.
-            size: Its approximate size in bytes.
-            drop: Called with `number` when it is evicted.
-            number: The owner's number for it.
-
-        """
+        """Adds a pending thing like `add`, but its owner keeps the id: `given` plus one."""
         self._held[given] = size, drop, number, None
         self._used += size
         if self._used > self.most:
@@ -59,14 +46,9 @@ class Budget:
             self._used -= held[0]
 
     def add(self, thing: object, size: int, drop: Callable[[int], object], number: int) -> None:
-        """Adds a pending thing.
+        """Adds a pending thing of about this size in bytes, which the caller keeps alive.
 
-        Args:
-            thing: The thing; the caller keeps it alive.
-            size: Its approximate size in bytes.
-            drop: Called with `number` when it is evicted.
-            number: The owner's number for it.
-
+        `drop` is called with `number` when it is evicted.
         """
         self.given += 1
         self._numbers[id(thing)] = self.given
@@ -76,15 +58,7 @@ class Budget:
             self._make_room()
 
     def update(self, thing: object, size: int, drop: Callable[[int], object], number: int = 0) -> None:
-        """Changes the size of a pending thing, which becomes the newest.
-
-        Args:
-            thing: The thing; the caller keeps it alive.
-            size: Its approximate size in bytes; 0 if it is no longer pending.
-            drop: Called with `number` when it is evicted.
-            number: The owner's number for it.
-
-        """
+        """Changes the size in bytes of a pending thing, which becomes the newest; 0: it is no longer pending."""
         self.remove(thing)
         if size:
             self.add(thing, size, drop, number)
@@ -128,33 +102,20 @@ def dropper(owner: Evictable) -> Callable[[int], None]:
 
 
 class Bounded(OrderedDict[K, V]):
-    """A mapping with a maximum number of entries, in the order in which they were added or last used.
-
-    most  maximum number of entries
-    """
+    """A mapping with a maximum number of entries, in the order in which they were added or last used."""
 
     def __init__(self, most: int) -> None:
         super().__init__()
-        self.most = most
+        self.most = most  # maximum number of entries
 
     def add(self, key: K, value: V) -> V | None:
-        """Adds an entry as the newest one.
-
-        Returns:
-            The value of the oldest entry if it was evicted, else None.
-
-        """
+        """Adds an entry as the newest one. Returns the value of the oldest entry if it was evicted, else None."""
         self[key] = value
         self.move_to_end(key)
         return self.pop_oldest() if len(self) > self.most else None
 
     def use(self, key: K, make: Callable[[], V]) -> tuple[V, V | None]:
-        """Returns an entry, created if missing, which becomes the newest.
-
-        Returns:
-            Its value, and the value of the oldest entry if that was evicted.
-
-        """
+        """Returns an entry, created if missing, which becomes the newest, and the oldest value if that was evicted."""
         if key in self:
             self.move_to_end(key)
             return self[key], None
@@ -162,13 +123,5 @@ class Bounded(OrderedDict[K, V]):
         return value, self.add(key, value)
 
     def pop_oldest(self) -> V:
-        """Removes the oldest entry.
-
-        Returns:
-            Its value.
-
-        Raises:
-            KeyError: The mapping is empty.
-
-        """
+        """Removes the oldest entry, and returns its value. Raises KeyError if there is none."""
         return self.popitem(last=False)[1]

@@ -96,14 +96,7 @@ class _LayoutOfAll:
         self._writes_globals |= _is_stored(footprint) and footprint.is_global
 
     def layout(self, labels: Mapping[Label, int]) -> Layout:
-        """Returns the layout.
-
-        Args:
-            labels: The number of the operation after each label.
-
-        Raises:
-            BuildError: There is no room, the size of a variable is unknown, or a jump has no target.
-        """
+        """Returns the layout for labels in front of operations. Raises BuildError."""
         encoded = [self._placed(draft, found) for draft, found in self._drafts]
         jumps = {number: draft.label for number, (draft, _) in enumerate(self._drafts) if draft.label is not None}
         if jumps:

@@ -15,28 +15,16 @@ _SOURCES = Path(__file__).resolve().parents[1]
 
 
 def install_command(extra: str) -> str:
-    """Returns the command that installs an extra into the environment that runs this program.
+    """Returns the shell command that installs an extra into the environment that runs this program.
 
-    Args:
-        extra: A name from `optional-dependencies` of pyproject.toml: `usb`, `plot`, `page`, ...
-
-    Returns:
-        A command for the shell: `bin/setup usb` in a clone that bin/ev3proto set up, `pipx inject ...` where pipx
-        installed ev3proto, `python -m pip install ...` anywhere else.
+    It is `bin/setup usb` in a clone that bin/ev3proto set up, `pipx inject ...` where pipx installed ev3proto,
+    `python -m pip install ...` anywhere else.
     """
     return fitting_command(extra, _SOURCES, Path(sys.prefix), Path(sys.executable), is_windows=os.name == "nt")
 
 
 def fitting_command(extra: str, sources: Path, prefix: Path, python: Path, *, is_windows: bool) -> str:
-    """Returns the command for a given installation.
-
-    Args:
-        extra: The name of the extra.
-        sources: The folder that contains the package.
-        prefix: The folder of the Python environment.
-        python: The interpreter of that environment.
-        is_windows: Whether the command is for the shells of Windows.
-    """
+    """Returns the command for an installation: its sources, its environment and its interpreter."""
     setup = sources / "bin" / "setup"
     if setup.is_file() and prefix.resolve() == (sources / ".venv").resolve() and not is_windows:
         near = Path("bin/setup") if Path.cwd() == sources else setup

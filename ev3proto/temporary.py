@@ -18,18 +18,7 @@ PREFIX = "ev3proto-"
 
 @contextmanager
 def temporary_folder(parent: Path | None = None, prefix: str = PREFIX) -> Iterator[Path]:
-    """Creates a folder that only this user can read, and removes it at the end of the `with`.
-
-    Args:
-        parent: Its parent folder; by default the system's for temporary files.
-        prefix: The prefix of its name.
-
-    Yields:
-        Its path.
-
-    Raises:
-        OSError: It cannot be created.
-    """
+    """Yields a folder that only this user can read, and removes it at the end of the `with`. Raises OSError."""
     if parent is None:
         import tempfile  # takes 9 ms, needed only without a parent
 

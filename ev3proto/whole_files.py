@@ -27,20 +27,10 @@ def private(path: str, flags: int) -> int:
 
 @contextmanager
 def whole_file(path: Path, *, is_private: bool = False) -> Iterator[BinaryIO]:
-    """Opens a file for writing; it gets its place when the `with` ends without an exception.
+    """Opens a file for writing; it gets its place when the `with` ends without an exception. Raises OSError.
 
     The file keeps the permissions of the one it replaces. A symbolic link is kept, and its target is replaced.
     Devices and pipes are written to directly.
-
-    Args:
-        path: The path of the file.
-        is_private: Whether only its owner can read a new file.
-
-    Yields:
-        The open file.
-
-    Raises:
-        OSError: It cannot be written. `filename` is the path, and the old file is unchanged.
     """
     target = path.resolve()
     beside = target.with_name(f".{target.name[:_MOST_NAME]}.{os.urandom(4).hex()}")
@@ -96,11 +86,7 @@ class GrowingFile:
         return len(self._waiting[-1])
 
     def flush(self) -> None:
-        """Writes the buffered bytes.
-
-        Raises:
-            OSError: Not all of it could be written. Then the file has none of it, and the buffer is discarded.
-        """
+        """Writes the buffered bytes. Raises OSError; the file then has none of them, and the buffer is discarded."""
         data, self._waiting = b"".join(self._waiting), []
         written = 0
         try:

@@ -19,14 +19,7 @@ COMMAND = "python -m ev3proto.generate"
 
 
 def build(more: Mapping[str, str]) -> dict[str, str]:
-    """Generates all files; the same text every time.
-
-    Args:
-        more: More files by path: the page of the command line, which belongs to a higher floor.
-
-    Returns:
-        Each file by its path in the project's folder.
-    """
+    """Generates all files; the same text every time."""
     return {
         **modules.build(),
         **{f"dissector/{name}": text for name, text in dissector.files().items()},
@@ -41,12 +34,7 @@ def build(more: Mapping[str, str]) -> dict[str, str]:
 
 
 def outdated(root: Path, more: Mapping[str, str]) -> Iterator[str]:
-    """Lists the paths of files that differ from what the tables say: to be written, or to be deleted.
-
-    Args:
-        root: The project's folder.
-        more: As for `build`.
-    """
+    """Lists the paths of files that differ from what the tables say: to be written, or to be deleted."""
     files = build(more)
     yield from _changed(root, files)
     yield from _left_over(root, files)
@@ -65,12 +53,7 @@ def write_modules(root: Path) -> list[str]:
 
 
 def write(root: Path, more: Mapping[str, str]) -> Iterator[str]:
-    """Regenerates all files; yields the path of each that changed.
-
-    Args:
-        root: The project's folder.
-        more: As for `build`.
-    """
+    """Regenerates all files; yields the path of each that changed."""
     files = build(more)
     yield from _write(root, files)
     for path in list(_left_over(root, files)):

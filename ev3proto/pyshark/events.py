@@ -106,13 +106,7 @@ class Events:
     """A converter of the packets of one capture, in order, to events."""
 
     def __init__(self, account: Account, dialect: str, memory: int = DEFAULT_MEMORY) -> None:
-        """Starts before the first packet.
-
-        Args:
-            account: Counts the bytes.
-            dialect: The firmware whose instruction set is used.
-            memory: Memory limit for unanswered commands, in bytes.
-        """
+        """Starts before the first packet; unanswered commands may take some bytes of memory."""
         self._account = account
         self._schema = frame_reader(dialect)
         self._budget = Budget(memory)

@@ -8,11 +8,7 @@ from ev3proto.pyshark.events import FIELDS, Row
 
 
 def frame_of(packet: Any) -> Any:
-    """Returns the layer with a packet's time and number.
-
-    Raises:
-        TypeError: It is not a packet of pyshark.
-    """
+    """Returns the layer with a packet's time and number. Raises TypeError."""
     frame = getattr(packet, "frame_info", None)
     if frame is None:
         raise TypeError(f"expected a packet of pyshark, such as those of a FileCapture, not {packet!r}")
@@ -20,11 +16,7 @@ def frame_of(packet: Any) -> Any:
 
 
 def row_of(packet: Any) -> Row:
-    """Returns the fields of a packet in pyshark's XML or EK mode.
-
-    Raises:
-        TypeError: It is not a packet of pyshark.
-    """
+    """Returns the fields of a packet in pyshark's XML or EK mode. Raises TypeError."""
     layers = (frame_of(packet), *packet.layers)
     read = _xml_values if hasattr(layers[0], "_all_fields") else _ek_values
     values: dict[str, list[str]] = {}

@@ -52,20 +52,10 @@ class EngineError(CaptureError):
 
 
 class Tshark:
-    """A tshark on this computer.
-
-    path  its path
-    """
+    """A tshark on this computer."""
 
     def __init__(self, name: str | None = None) -> None:
-        """Finds tshark.
-
-        Args:
-            name: Its path; by default it is searched on PATH and in the usual places.
-
-        Raises:
-            EngineError: It was not found.
-        """
+        """Finds tshark, by default on PATH and in the usual places. Raises EngineError."""
         found = next(filter(None, map(shutil.which, [name] if name else ["tshark", *USUAL_PLACES])), None)
         if found is None:
             missing = f"{name}: no such program" if name else "tshark is not on the path"
@@ -74,12 +64,9 @@ class Tshark:
 
     @contextmanager
     def parameters(self, dialect: str, ports: Collection[int]) -> Iterator[list[str]]:
-        """Yields the arguments for reading frames; the files that they name exist inside the `with`.
+        """Yields the arguments for reading frames; files that they name exist inside the `with`. Raises EngineError.
 
         An installed dissector is used, since Wireshark refuses a second one of the same name.
-
-        Raises:
-            EngineError: The dissector does not run in this tshark.
         """
         found = re.search(r"^TShark .*?(\d+)\.(\d+)", self.ask("-v"))
         if found is None:
@@ -104,11 +91,7 @@ class Tshark:
             yield ["-X", f"lua_script:{script}", *words]
 
     def ask(self, *words: str) -> str:
-        """Returns the output of a run with these arguments.
-
-        Raises:
-            EngineError: It fails.
-        """
+        """Returns the output of a run with these arguments. Raises EngineError."""
         try:
             done = subprocess.run(
                 [self.path, *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=TIMEOUT, check=False
@@ -124,25 +107,13 @@ class Tshark:
 
 
 class Run:
-    """A run of tshark, which ends with the `with`.
-
-    output      its output
-    is_stopped  whether it was asked to stop
-    """
+    """A run of tshark, which ends with the `with`."""
 
     def __init__(self, tshark: Tshark, *words: str) -> None:
-        """Starts tshark.
-
-        Args:
-            tshark: The program.
-            words: Its arguments.
-
-        Raises:
-            EngineError: It cannot be run.
-        """
+        """Starts tshark. Raises EngineError."""
         self._path = tshark.path
         self._said = TemporaryFile()  # noqa: SIM115 - closed at the end of the `with`
-        self.is_stopped = False
+        self.is_stopped = False  # whether it was asked to stop
         try:
             self._process = subprocess.Popen(
                 [self._path, "-n", *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._said
@@ -150,6 +121,7 @@ class Run:
         except OSError as error:
             raise EngineError(f"{self._path} cannot be run: {error.strerror or error}") from error
         assert self._process.stdout is not None
+        # its output
         self.output: BinaryIO = self._process.stdout  # type: ignore[assignment]
 
     def stop(self) -> None:

@@ -365,16 +365,7 @@ def encode_string(value: str, name: str = "the string") -> bytes:
 
 
 def text_bytes(value: str, name: str, *, zeros: bool = False) -> bytes:
-    """Returns the bytes of a text.
-
-    Args:
-        value: The text.
-        name: Its name in messages.
-        zeros: Whether it may contain zeros.
-
-    Raises:
-        BuildError: It has a character outside ISO-8859-1, or a zero.
-    """
+    """Returns the bytes of a text. Raises BuildError for a character outside ISO-8859-1, or a zero."""
     try:
         encoded = value.encode(STRING_CODING)
     except UnicodeEncodeError as error:

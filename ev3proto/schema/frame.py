@@ -347,18 +347,7 @@ def frame_reader(dialect: str = "official") -> FrameReader:
 # Checking and then showing a frame reads it twice; one more entry is for the fixed frame.
 @lru_cache(2)
 def read_last(frame: bytes, dialect: str) -> Message:
-    """Reads a frame, or returns the cached message of one of the last frames.
-
-    Args:
-        frame: The bytes from the length field to the last one. No content raises.
-        dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
-
-    Returns:
-        The message.
-
-    Raises:
-        ValueError: The dialect is unknown.
-    """
+    """Reads a frame, or returns the cached message of one of the last frames. No content of it raises."""
     return frame_reader(dialect).read_frame(frame, strict=False)
 
 

@@ -56,16 +56,7 @@ class Header(NamedTuple):
 
     @classmethod
     def read(cls, data: bytes | bytearray, at: int = 0) -> Header:
-        """Reads the header at an offset.
-
-        Args:
-            data: At least `HEADER_SIZE` bytes from the offset on.
-            at: The offset of the length field.
-
-        Returns:
-            The three numbers, unchecked.
-
-        """
+        """Reads the header at an offset, unchecked; it has to be there."""
         return cls(*unpack_header(data, at))
 
 
@@ -116,16 +107,7 @@ def may_have_length(data: bytes | bytearray, at: int = 0) -> bool:
 
 
 def may_be_long(data: bytes | bytearray, at: int = 0) -> bool | None:
-    """Returns whether the frame at an offset may have more than `MAX_FRAME` bytes, as downloads may.
-
-    Args:
-        data: The bytes that contain the frame.
-        at: The offset of its length field.
-
-    Returns:
-        True or False; None while the byte that decides it is missing.
-
-    """
+    """Returns whether a frame may have more than `MAX_FRAME` bytes, as downloads may; None if that is not known yet."""
     code = data[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
     number = data[at + HEADER_SIZE : at + HEADER_SIZE + 1]
     if not code or (code[0] in _SYSTEM_COMMANDS and not number):
@@ -138,16 +120,7 @@ def _is_long(code: int, number: bytes | bytearray) -> bool:
 
 
 def read_memory(data: bytes | bytearray, at: int = HEADER_SIZE) -> tuple[int, int]:
-    """Reads the memory request of a direct command.
-
-    Args:
-        data: At least `MEMORY_SIZE` bytes from the offset on.
-        at: The offset of the two bytes.
-
-    Returns:
-        Bytes of global memory (0 to 1023) and bytes of local memory (0 to 63).
-
-    """
+    """Reads the memory request of a direct command: bytes of global (0 to 1023) and local memory (0 to 63)."""
     number: int = _memory.unpack_from(data, at)[0]
     return number & MAX_GLOBALS, number >> GLOBAL_BITS
 
@@ -174,15 +147,7 @@ def write_memory(global_size: int, local_size: int) -> bytes:
 
 
 def with_length(contents: bytes) -> bytes:
-    """Returns a frame from its contents, with a length field that counts them.
-
-    Args:
-        contents: All of a frame after its length field. The length field counts at most 65535 bytes.
-
-    Returns:
-        The frame.
-
-    """
+    """Returns a frame from all that follows its length field, which counts at most 65535 bytes."""
     return _length.pack(len(contents) & 0xFFFF) + contents
 
 

@@ -95,17 +95,7 @@ _OPTIONS = {
 
 
 def constant(name: str) -> Constant:
-    """Returns the value of a name.
-
-    Args:
-        name: A name of `constant_names`; opcodes in any case after the `op` (`opUI_Draw`, `opUI_DRAW`).
-
-    Returns:
-        Encoded bytes, an int or a str; the docstring of this module says which.
-
-    Raises:
-        KeyError: The name is unknown. The error suggests the nearest ones.
-    """
+    """Returns the value of a name, opcodes in any case after the `op`. Raises KeyError, which suggests the nearest."""
     known = _constants()
     if name in known:
         return known[name]

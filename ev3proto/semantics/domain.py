@@ -114,9 +114,7 @@ MOST_SPECIAL = 5
 def facts(parameter: Parameter, *, most_special: int | None = None) -> Iterator[str]:
     """Yields legal values and length of a parameter: `0 to 100 %`, `0: silent`, `as many bytes as LENGTH says`.
 
-    Args:
-        parameter: The parameter.
-        most_special: If it has more special values than this, they are omitted; None for no limit.
+    More special values than `most_special` are omitted.
     """
     span = limits(parameter)
     if span:

@@ -20,18 +20,12 @@ UNTYPED_SIZE = 4
 
 
 class Requirement(NamedTuple):
-    """The validator's requirements on an argument.
+    """The validator's requirements on an argument."""
 
-    kind              the type that it expects
-    numbers           the constants that it accepts, None for any
-    alignment         the index of a variable is a multiple of this: 1, 2 or 4
-    handle_alignment  the same if the variable holds a handle
-    """
-
-    kind: Type
-    numbers: range | None = None
-    alignment: int = 1
-    handle_alignment: int = Type.HANDLE.size
+    kind: Type  # the type that it expects
+    numbers: range | None = None  # the constants that it accepts, None for any
+    alignment: int = 1  # the index of a variable is a multiple of this: 1, 2 or 4
+    handle_alignment: int = Type.HANDLE.size  # the same if the variable holds a handle
 
 
 def _whole(kind: Type) -> range:
@@ -201,12 +195,7 @@ class OperationFacts:
         self._elements: dict[tuple[Type, Direction], ParameterFacts] = {}
 
     def of(self, number: int, parameter: Parameter) -> ParameterFacts:
-        """Returns the facts of an argument.
-
-        Args:
-            number: The number of the argument, from 0.
-            parameter: Its parameter, which for an element of a list depends on the other arguments.
-        """
+        """Returns the facts of an argument; the parameter of a list's element depends on the other arguments."""
         if number < len(self.parameters):
             return self.parameters[number]
         key = parameter.type, parameter.direction

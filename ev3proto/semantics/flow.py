@@ -25,16 +25,13 @@ _FIRST_WINDOW, _GROWTH = 32, 8
 
 @dataclass(slots=True)
 class Flow:
-    """The operations that can run.
+    """The operations that can run."""
 
-    operations  by offset, including those found by jumps into others
-    following   the offsets at which each of them continues; the end of the code if it ends
-    is_known    whether these are all that can run
-    """
-
+    # by offset, including those found by jumps into others
     operations: dict[int, Operation] = field(default_factory=dict)
+    # the offsets at which each of them continues; the end of the code if it ends
     following: dict[int, list[int]] = field(default_factory=dict)
-    is_known: bool = True
+    is_known: bool = True  # whether these are all that can run
 
 
 def jump_of(operation: Operation) -> Argument | None:
@@ -61,16 +58,7 @@ def labels_of(operations: Sequence[Operation]) -> dict[int | None, int]:
 
 
 def target_of(operation: Operation, jump: Argument, labels: dict[int | None, int]) -> int | None:
-    """Returns the target offset of a jump.
-
-    Args:
-        operation: The jump.
-        jump: Its argument with the target.
-        labels: The offsets of the labels.
-
-    Returns:
-        The offset; None if it is not in the code: a variable, a handle, an address, a missing label.
-    """
+    """Returns the offset that a jump leads to; None for a variable, a handle, an address, a missing label."""
     if jump.form.handle or jump.form.address or jump.is_variable or not isinstance(jump.value, int):
         return None
     if is_label(jump):
@@ -79,30 +67,17 @@ def target_of(operation: Operation, jump: Argument, labels: dict[int | None, int
 
 
 class Step(NamedTuple):
-    """An operation that can run.
+    """An operation that can run."""
 
-    operation  the operation, which may be inside another one
-    following  the offsets at which it continues; the end of the code if it ends
-    is_known   whether these are all
-    """
-
-    operation: Operation
-    following: list[int]
-    is_known: bool
+    operation: Operation  # the operation, which may be inside another one
+    following: list[int]  # the offsets at which it continues; the end of the code if it ends
+    is_known: bool  # whether these are all
 
 
 def steps_of(data: bytes, operations: Sequence[Operation], start: int, end: int, dialect: str) -> Iterator[Step | None]:
-    """Follows code from its first operation. Takes some bytes of memory for each byte of it.
+    """Yields each operation that can run, once; None for a place that can run, but has no code that can be read.
 
-    Args:
-        data: The bytes that contain the code.
-        operations: The operations read in a row.
-        start: The offset of the first one.
-        end: The offset after the last one.
-        dialect: The firmware whose instruction set is used.
-
-    Yields:
-        Each operation that can run, once; None for a place that can run, but has no code that can be read.
+    Takes some bytes of memory for each byte of code.
     """
     starts, labels = starts_of(operations), labels_of(operations)
     seen = bytearray(end - start)
@@ -164,14 +139,7 @@ def flow_of(data: bytes, operations: Sequence[Operation], start: int, end: int, 
 
 
 def runs_of(data: bytes, operations: Sequence[Operation], end: int, dialect: str) -> bytearray | None:
-    """Returns 1 for each operation that can run or contains code that can, else 0; None if that is unknown.
-
-    Args:
-        data: The bytes that contain the code.
-        operations: The operations read in a row, at least one.
-        end: The offset after the last one.
-        dialect: The firmware whose instruction set is used.
-    """
+    """Returns 1 for each operation that can run or contains code that can, else 0; None if that is unknown."""
     starts = starts_of(operations)
     runs = bytearray(len(starts))
     for step in steps_of(data, operations, starts[0], end, dialect):

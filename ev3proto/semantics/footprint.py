@@ -22,28 +22,18 @@ NO_LIMIT = -1
 
 @dataclass(slots=True)
 class Footprint:
-    """The memory that an operation uses for one argument that is a variable.
-
-    operation  the operation
-    number     of the argument in the operation, from 0
-    argument   the variable
-    facts      what follows from the declaration of its parameter: its alignment, whether it is read or written
-    start      its first byte
-    size       minimum number of bytes
-    most       maximum number of bytes, None if unknown
-    room       bytes to reserve when a place is chosen, None if unknown
-    is_array   whether it is or may be more than one value
-    """
+    """The memory that an operation uses for one argument that is a variable."""
 
     operation: Operation
-    number: int
-    argument: Argument
+    number: int  # of the argument in the operation, from 0
+    argument: Argument  # the variable
+    # what follows from the declaration of its parameter: its alignment, whether it is read or written
     facts: ParameterFacts
-    start: int
-    size: int
-    most: int | None
-    room: int | None
-    is_array: bool
+    start: int  # its first byte
+    size: int  # minimum number of bytes
+    most: int | None  # maximum number of bytes, None if unknown
+    room: int | None  # bytes to reserve when a place is chosen, None if unknown
+    is_array: bool  # whether it is or may be more than one value
 
     @property
     def end(self) -> int:
@@ -115,12 +105,7 @@ def unread(used: Sequence[Footprint]) -> Iterator[Footprint]:
 
 
 def footprints(operation: Operation, arguments: Sequence[Argument] | None = None) -> list[Footprint]:
-    """Returns the memory that an operation uses, in the order of its arguments.
-
-    Args:
-        operation: The operation, whole or cut off.
-        arguments: Its arguments, if the caller has already read them.
-    """
+    """Returns the memory that an operation uses, in the order of its arguments."""
     if arguments is None:
         arguments = operation.arguments
     return [
@@ -134,13 +119,7 @@ def results(operation: Operation) -> list[Footprint]:
 
 
 def footprint(operation: Operation, number: int, arguments: Sequence[Argument]) -> Footprint:
-    """Returns the memory that an operation uses for one argument, which is a variable.
-
-    Args:
-        operation: The operation, whole or cut off.
-        number: The number of the argument, from 0.
-        arguments: All arguments of the operation.
-    """
+    """Returns the memory that an operation uses for one argument, which is a variable."""
     argument = arguments[number]
     form, start = argument.form, argument.value
     assert isinstance(start, int)
@@ -187,20 +166,13 @@ NUMBER_SIZE = 4
 
 
 class InlineArray(NamedTuple):
-    """A text or number that the brick reads as an array.
+    """A text or number that the brick reads as an array."""
 
-    argument  the text or number
-    length    the parameter with the number of values
-    one       bytes of one value
-    stated    its size by that parameter, in bytes
-    present   its actual size, including the zero of a text
-    """
-
-    argument: Argument
-    length: str
-    one: int
-    stated: int
-    present: int
+    argument: Argument  # the text or number
+    length: str  # the parameter with the number of values
+    one: int  # bytes of one value
+    stated: int  # its size by that parameter, in bytes
+    present: int  # its actual size, including the zero of a text
 
 
 def inline_arrays(arguments: Sequence[Argument]) -> Iterator[InlineArray]:

@@ -201,18 +201,7 @@ def tally(findings: Iterable[Finding]) -> str:
 def diagnostics(
     report: Report, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
 ) -> Iterator[Line]:
-    """Yields the verdict, then every finding with its bytes.
-
-    Args:
-        report: The result of a check.
-        findings: The findings to show, in the order of their offsets; by default all of the report's.
-        place: Where the frame comes from, such as `robot.log, line 3`; shown in front of every offset.
-        dialect: The firmware whose instruction set the frame is read by.
-
-    Yields:
-        Lines, with an empty line before each group.
-
-    """
+    """Yields the verdict, then every finding with its bytes; `place` is shown in front of every offset."""
     shown = report.findings if findings is None else findings
     where: Line = [(f"{place}: ", Role.HEADING)] if place else []
     if report.accepted and not report.findings:

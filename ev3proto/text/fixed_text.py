@@ -29,20 +29,13 @@ _MOST_TEXT = 1 << 16
 
 
 class FixedFrame(NamedTuple):
-    """A command in a text, after its fix.
+    """A command in a text, after its fix."""
 
-    line        the line in which it starts, from 1 on
-    column      where it starts in this line, from 1 on
-    fix         the fixed frame, its changes, what was not fixed, and the report on the result
-    is_written  whether the text has the fixed frame; False if its notation cannot be edited
-    report      the report on the frame that the text has now
-    """
-
-    line: int
-    column: int
-    fix: Fix
-    is_written: bool
-    report: Report
+    line: int  # the line in which it starts, from 1 on
+    column: int  # where it starts in this line, from 1 on
+    fix: Fix  # the fixed frame, its changes, what was not fixed, and the report on the result
+    is_written: bool  # whether the text has the fixed frame; False if its notation cannot be edited
+    report: Report  # the report on the frame that the text has now
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,14 +75,7 @@ def fix_text(text: str, *, dialect: str = "official", carrier: str | None = None
 
 
 def fix_pieces(text: str, pieces: Iterable[Pasted], *, dialect: str, carrier: str | None) -> FixedText:
-    """Fixes a text whose pieces have been read already; the rest is as for `fix_text`.
-
-    Args:
-        text: The text.
-        pieces: What `read_text` finds in its `unix_lines`.
-        dialect: The dialect.
-        carrier: The carrier.
-    """
+    """Fixes a text by the pieces that `read_text` finds in its `unix_lines`; the rest is as for `fix_text`."""
     found = [pasted for pasted in pieces if pasted.data]
     lines = list(io.StringIO(text, newline=""))
     frames: list[FixedFrame] = []
@@ -151,14 +137,7 @@ def _fixed(
 
 
 def _edit(lines: list[str], pasted: Pasted, end: int, data: bytes) -> bool:
-    """Writes the new bytes of a piece into its lines, and returns whether the reader sees them there.
-
-    Args:
-        lines: The lines of the text; those of the piece are changed.
-        pasted: The piece.
-        end: The number of lines before the next piece that starts in a later line.
-        data: The new bytes.
-    """
+    """Writes the new bytes of a piece into its lines, and returns whether the reader sees them there."""
     begin = pasted.line - 1
     sizes = accumulate(map(len, lines[begin:end]))
     end = begin + 1 + sum(size <= _MOST_TEXT for size in islice(sizes, 1, None))
@@ -182,46 +161,29 @@ def _read(block: str) -> list[bytes]:
 
 
 class _Atom(NamedTuple):
-    """A part of a text that represents bytes.
+    """A part of a text that represents bytes."""
 
-    start   where it starts, with its prefix
-    at      where its digits start
-    end     where it ends
-    digits  what is replaced by an edit
-    data    the bytes
-    """
-
-    start: int
-    at: int
-    end: int
-    digits: str
+    start: int  # where it starts, with its prefix
+    at: int  # where its digits start
+    end: int  # where it ends
+    digits: str  # what is replaced by an edit
     data: bytes
 
 
 class _Style(NamedTuple):
-    """How the numbers of a piece are written.
+    """How the numbers of a piece are written."""
 
-    is_padded  with leading zeros
-    is_upper   with capital letters
-    is_signed  as signed bytes
-    """
-
-    is_padded: bool
-    is_upper: bool
-    is_signed: bool
+    is_padded: bool  # with leading zeros
+    is_upper: bool  # with capital letters
+    is_signed: bool  # as signed bytes
 
 
 class _Notation(NamedTuple):
-    """One way of writing bytes.
+    """One way of writing bytes."""
 
-    pattern  an atom, the digits in its first group
-    read     returns the bytes of the digits, None if they are none
-    write    returns the digits of new bytes, from the old digits
-    """
-
-    pattern: re.Pattern[str]
-    read: Callable[[str], bytes | None]
-    write: Callable[[bytes, str, _Style], str]
+    pattern: re.Pattern[str]  # an atom, the digits in its first group
+    read: Callable[[str], bytes | None]  # returns the bytes of the digits, None if they are none
+    write: Callable[[bytes, str, _Style], str]  # returns the digits of new bytes, from the old digits
 
 
 def _byte(number: int) -> bytes | None:

@@ -137,28 +137,17 @@ def value_text(value: Value) -> str:
 
 
 class Seen(NamedTuple):
-    """The circumstances in which a message was seen.
+    """The circumstances in which a message was seen."""
 
-    direction  `sent` or `received`, as the computer sees it
-    time       as written in a log, or seconds since the capture began
-    cut        the text was cut off
-    packets    the packets of a capture that carried it
-    place      carrier and brick
-    answers    for a reply: the packet of its command
-    latency    for a reply: seconds since then
-    frame      the message's bytes if available, which saves building them
-    unknown    the offsets of bytes that a text did not give, and which were read as zero
-    """
-
-    direction: str | None = None
-    time: str | None = None
-    cut: bool = False
-    packets: tuple[int, ...] = ()
-    place: str | None = None
-    answers: int | None = None
-    latency: float | None = None
-    frame: bytes | None = None
-    unknown: frozenset[int] = frozenset()
+    direction: str | None = None  # `sent` or `received`, as the computer sees it
+    time: str | None = None  # as written in a log, or seconds since the capture began
+    cut: bool = False  # the text was cut off
+    packets: tuple[int, ...] = ()  # the packets of a capture that carried it
+    place: str | None = None  # carrier and brick
+    answers: int | None = None  # for a reply: the packet of its command
+    latency: float | None = None  # for a reply: seconds since then
+    frame: bytes | None = None  # the message's bytes if available, which saves building them
+    unknown: frozenset[int] = frozenset()  # the offsets of bytes that a text did not give, and which were read as zero
 
 
 def origin(seen: Seen) -> Line:
@@ -279,13 +268,7 @@ def _refusal(command: Message | None) -> str | None:
 
 
 def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:
-    """Returns a command and its reply.
-
-    Args:
-        command: None for a reply whose command was not captured.
-        reply: None for an unanswered command.
-        latency: Seconds between them; None if unknown.
-    """
+    """Returns a command and its reply, either of which may be missing, with the seconds between them."""
     line: Line = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
     if reply is not None:
         line += [(" -> ", Role.PLAIN), *reply_spans(reply)]

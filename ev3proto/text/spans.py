@@ -20,16 +20,7 @@ _HARMFUL = re.compile(
 
 
 def visible(text: str) -> str:
-    r"""Returns a text that is safe to show on one line.
-
-    Args:
-        text: Any text, also from the network.
-
-    Returns:
-        The same without characters that steer a terminal: each is written as `\u` and four hexadecimal digits, as JSON
-        and assembly write it in a string.
-
-    """
+    r"""Returns a text whose characters that steer a terminal are written as `\u` and four hexadecimal digits."""
     # Most texts are harmless, and this test takes a tenth of the time of the other.
     return text if text.isprintable() else _HARMFUL.sub(_escaped, text)
 

@@ -41,25 +41,20 @@ _MOST_BYTES = 12
 
 
 class Cell:
-    """A group of bytes. Upright meanings are written from top to bottom, one letter a row, as names of opcodes are.
-
-    label  the text above the bytes
-    hex    the bytes: `0E:00`
-    rows   what they say, row by row, as wide as the cell
-    width  columns it takes
-    """
+    """A group of bytes. Upright meanings are written from top to bottom, one letter a row, as names of opcodes are."""
 
     __slots__ = ("hex", "label", "rows", "width")
 
     def __init__(self, label: str, data: bytes, meaning: str = "", upright: bool = False) -> None:
-        self.label = label
-        self.hex = data[:_MOST_BYTES].hex(":").upper()
+        self.label = label  # the text above the bytes
+        self.hex = data[:_MOST_BYTES].hex(":").upper()  # the bytes: `0E:00`
         if len(data) > _MOST_BYTES:
             self.hex += ":..."
         if len(meaning) > MOST_COLUMNS:
             meaning = meaning[:MOST_COLUMNS] + "..."
-        self.width = max(len(self.hex), len(label), 0 if upright else len(meaning))
+        self.width = max(len(self.hex), len(label), 0 if upright else len(meaning))  # columns it takes
         margin = " " * (self.width - 1)
+        # what they say, row by row, as wide as the cell
         self.rows = [letter + margin for letter in meaning] if upright else [meaning.ljust(self.width)]
 
 

@@ -222,17 +222,7 @@ def _event(code: int, parameters: bytes) -> bytes:
 
 
 def rfcomm_frame(address: int, control: int, data: bytes = b"", credits: bytes = b"") -> bytes:
-    """Builds an RFCOMM frame, with its length and its checksum.
-
-    Args:
-        address: The port's number, and whose command it is.
-        control: The frame's type, with POLL.
-        data: What it carries.
-        credits: One byte if the frame grants credits; it does not count as data.
-
-    Returns:
-        The bytes of the frame.
-    """
+    """Builds an RFCOMM frame, with its length and checksum; a byte of credits does not count as data."""
     size = len(data)
     length = bytes((size << 1 | 1,)) if size < 0x80 else (size << 1).to_bytes(2, "little")
     head = bytes((address, control))

@@ -43,11 +43,7 @@ def goes_to_brick(frame: bytes) -> bool:
 
 
 def check_frame(frame: bytes) -> None:
-    """Checks that a receiver sees where a frame ends.
-
-    Raises:
-        BuildError: Its length field is wrong, or it is too long.
-    """
+    """Checks that a receiver sees where a frame ends. Raises BuildError."""
     length = frame_size(frame) - LENGTH_FIELD if len(frame) >= LENGTH_FIELD else 0
     if len(frame) < HEADER_SIZE or length + LENGTH_FIELD != len(frame):
         raise BuildError(

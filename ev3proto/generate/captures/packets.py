@@ -60,13 +60,7 @@ class PacketFile:
         return self._interfaces[carrier]
 
     def write(self, packet: bytes, time_ns: int, interface: int) -> None:
-        """Writes a packet.
-
-        Args:
-            packet: Its bytes.
-            time_ns: Nanoseconds since 1970-01-01 UTC.
-            interface: A number that `interface` gave.
-        """
+        """Writes a packet, whose time is in nanoseconds since 1970-01-01 UTC, of a number from `interface`."""
         high, low = divmod(time_ns, 1 << 32)
         size = len(packet)
         filler = bytes(-size % _ALIGNED)
@@ -79,15 +73,13 @@ class CaptureWriter:
     """Writes a capture of a computer and a brick that exchange frames one after the other.
 
     Nothing is written before the first frame, or before `close` if there are no frames.
-
-    count  how many frames were added
     """
 
     def __init__(
         self, stream: BinaryIO, *, carrier: str = DEFAULT_CARRIER, begin_ns: int = BEGIN_NS, step_ns: int = MILLISECOND
     ) -> None:
         """The arguments are those of `write_pcapng`."""
-        self.count = 0
+        self.count = 0  # how many frames were added
         self._file = PacketFile(stream)
         self._carrier = _known(carrier)
         self._writer = carrier_writer(self._carrier)
@@ -97,14 +89,7 @@ class CaptureWriter:
         self._interface = 0
 
     def add(self, given: Message | bytes | TimedFrame) -> None:
-        """Writes a frame.
-
-        Args:
-            given: A message, its bytes, or bytes with a time.
-
-        Raises:
-            BuildError: The frame cannot be carried, or its time is before the last one's. Nothing is written of it.
-        """
+        """Writes a message, its bytes, or bytes with a time. Raises BuildError, and writes nothing of it then."""
         last_ns = self._last_ns
         frame, time_ns = given if isinstance(given, TimedFrame) else (_bytes(given), None)
         if time_ns is None:

@@ -16,14 +16,11 @@ _SEGMENT = 1460
 
 
 class Recording:
-    """A recording of connections between clients and a brick.
-
-    packets  how many were written
-    """
+    """A recording of connections between clients and a brick."""
 
     def __init__(self, stream: BinaryIO) -> None:
         """Begins the file; `flush` writes its beginning. Raises OSError if it cannot be written."""
-        self.packets = 0
+        self.packets = 0  # how many were written
         self._stream = stream
         self._file = PacketFile(stream)
         # Some programs reject a file without an interface.
@@ -35,17 +32,7 @@ class Recording:
         self._stream.flush()
 
     def opened(self, key: Hashable, carrier: Carrier, host: wifi.Address, brick: wifi.Address) -> None:
-        """Records the start of a connection; on WiFi with TCP's handshake.
-
-        Args:
-            key: Names the connection in further calls.
-            carrier: What carries it.
-            host: IP address and port of the client, if WiFi carries it.
-            brick: Address and port of the brick.
-
-        Raises:
-            OSError: The file cannot be written.
-        """
+        """Records the start of a connection, named `key` from now on; on WiFi with TCP's handshake. Raises OSError."""
         writer = wifi.Writer(host, brick) if carrier is Carrier.WIFI else carrier_writer(carrier)
         self._writers[key] = writer, self._file.interface(carrier)
         self._write(key, writer.handshake() if isinstance(writer, wifi.Writer) else writer.opening())

@@ -198,20 +198,8 @@ def record(
 ) -> bytes:
     """Builds a usbmon packet, at time 0.
 
-    Args:
-        event: SUBMITTED or DONE.
-        endpoint: The endpoint, with the bit for the direction; endpoint 0 takes control transfers.
-        data: The bytes transferred.
-        device: The number of the device on its bus.
-        bus: The bus.
-        status: How a request ended: 0, or a negative error number of Linux. A submitted request is in progress.
-        setup: The request of a control transfer.
-        size: Number of bytes requested or transferred.
-        flags: Linux's flags of the request.
-        is_padded: The header has 64 bytes, as read from memory, instead of 48.
-
-    Returns:
-        Header and data.
+    A status is 0 or a negative error number of Linux; a submitted request is in progress. With `is_padded`, the header
+    has 64 bytes, as read from memory, instead of 48.
     """
     is_control = endpoint & ~IN == 0
     is_in = bool(endpoint & IN)

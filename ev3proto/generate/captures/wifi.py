@@ -42,17 +42,13 @@ _IPV4 = 4
 
 @dataclass(slots=True)
 class _End:
-    """One end of the connection.
-
-    number   sequence number of its next byte
-    packets  number of its next packet
-    """
+    """One end of the connection."""
 
     mac: bytes
     address: bytes
     port: int
-    number: int
-    packets: int
+    number: int  # sequence number of its next byte
+    packets: int  # number of its next packet
 
 
 _SEGMENT = struct.Struct(">6s6sH BBHHHBBH4s4s HHIIHHHH")
@@ -68,12 +64,7 @@ class Writer:
     """A computer and a brick on a network."""
 
     def __init__(self, host: Address = ("192.0.2.1", 49152), brick: Address = ("192.0.2.10", TCP_PORT)) -> None:
-        """Sets up both ends; no packet is made yet.
-
-        Args:
-            host: IP address and TCP port of the computer, another port for each connection in a capture.
-            brick: The same of the brick.
-        """
+        """Sets up both ends, IP address and TCP port; the computer's port is another one for each connection."""
         self._host = _End(bytes.fromhex("020000000001"), _packed(host), host[1], 0x10000000, 0x1000)
         self._brick = _End(bytes.fromhex("02000000000a"), _packed(brick), brick[1], 0x20000000, 1)
         self._last: _End | None = None

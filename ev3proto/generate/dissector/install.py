@@ -125,19 +125,7 @@ def _launcher() -> str:
 
 
 def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
-    """Removes what the functions above write, and the profile's folder once it is empty.
-
-    Args:
-        folders: Where they are.
-        force: Also remove files of other programs and files that were changed.
-
-    Yields:
-        Each file, and what became of it.
-
-    Raises:
-        InstallError: A file cannot be removed.
-
-    """
+    """Removes what the functions above write; `force`: also files of others and changed ones. Raises InstallError."""
     for name in files():
         plugin = folders.plugins / name
         yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)

@@ -53,13 +53,7 @@ def hexadecimal(number: int) -> Name:
 
 
 def literal(value: object, depth: int = 0, used: int = 0) -> str:
-    """Writes a value as Lua.
-
-    Args:
-        value: A whole number, a text, a truth value, a `Name` or a `Table`.
-        depth: How deep it is indented.
-        used: Columns of its first line that are taken already.
-    """
+    """Writes a whole number, a text, a truth value, a `Name` or a `Table` as Lua, at a depth of indentation."""
     if isinstance(value, Table):
         return _table(value, depth, used)
     return _scalar(value)

@@ -11,16 +11,11 @@ from ev3proto.tables.enumerations import ENUMERATIONS
 
 
 class _Naming(NamedTuple):
-    """The Python names of an enumeration.
-
-    declared  the entry in the tables
-    word      the word that all member names share; empty if they share none
-    short     member names without that word, in the order of the tables; empty if they share none
-    """
+    """The Python names of an enumeration."""
 
     declared: Enumeration
-    word: str
-    short: tuple[str, ...]
+    word: str  # the word that all member names share; empty if they share none
+    short: tuple[str, ...]  # member names without that word, in the order of the tables; empty if they share none
 
 
 def module() -> str:

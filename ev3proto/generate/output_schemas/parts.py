@@ -21,12 +21,7 @@ _PLAIN = {int: {"type": "integer"}, float: NUMBER, str: TEXT, bool: FLAG}
 
 
 def object_of(properties: Schema, *optional: str) -> Schema:
-    """Returns an object with these keys and no others.
-
-    Args:
-        properties: The schema of each key.
-        optional: The keys that may be absent.
-    """
+    """Returns an object with these keys and no others."""
     required = [name for name in properties if name not in optional]
     return {"type": "object", "properties": properties, "required": required, "additionalProperties": False}
 

@@ -21,11 +21,7 @@ FOLDER = "docs/reference"
 
 
 def build() -> dict[str, str]:
-    """Generates all pages except that of the command line; the same text every time.
-
-    Returns:
-        Each file by its path in the project's folder.
-    """
+    """Generates all pages except that of the command line; the same text every time."""
     pages = {
         "index.md": page("Reference", contents.blocks()),
         **{f"{area}.md": page(f"{AREA_TITLES[area]} ({area})", operations.blocks(area)) for area in AREAS},

@@ -51,29 +51,14 @@ _COUNTER = 1
 
 
 class Example(NamedTuple):
-    """One example.
-
-    call   in Python
-    frame  what the call builds
-    """
+    """One example."""
 
     call: str
-    frame: bytes
+    frame: bytes  # what the call builds
 
 
 def example_of(declaration: Declaration, dialect: str) -> Example:
-    """Returns the example of an operation. After one that draws, the picture is shown.
-
-    Args:
-        declaration: An operation of the dialect.
-        dialect: The instruction set.
-
-    Returns:
-        Its call and its frame.
-
-    Raises:
-        BuildError: The values that were chosen cannot be built.
-    """
+    """Returns the example of an operation. After one that draws, the picture is shown. Raises BuildError."""
     try:
         calls = [_call(declaration, dialect, omitted=True)]
     except BuildError:  # the length of an output must be given if it is not known

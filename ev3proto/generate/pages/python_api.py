@@ -117,12 +117,7 @@ _STARS: dict[Any, str] = {inspect.Parameter.VAR_POSITIONAL: "*", inspect.Paramet
 
 
 def _parameter(parameter: inspect.Parameter, constants: Mapping[str, object]) -> str:
-    """Returns a parameter as written in a signature.
-
-    Args:
-        parameter: The parameter.
-        constants: The names of its module. A default without a short text is shown by such a name.
-    """
+    """Returns a parameter as written in a signature; a default without a short text is named by a constant."""
     text = _STARS.get(parameter.kind, "") + parameter.name
     has_type = parameter.annotation is not inspect.Parameter.empty
     if has_type:

@@ -14,23 +14,18 @@ NAME = "^[A-Za-z][A-Za-z0-9_]*$"
 
 
 class Shape:
-    """The properties of one kind of object.
-
-    schema  the JSON Schema of such an object; other properties are refused
-    """
+    """The properties of one kind of object."""
 
     def __init__(self, text: str, properties: Mapping[str, Property], optional: tuple[str, ...] = ()) -> None:
         """Describes an object.
 
-        Args:
-            text: One line of meaning.
-            properties: The schema of each, alone where the value is the attribute of that name, else with a function
-                of the entry, or with the value itself.
-            optional: Properties that are omitted where they are None, false, or empty texts and objects.
+        A property is a schema alone where the value is the attribute of that name, else with a function of the entry
+        or the value itself. Optional ones are omitted where they are None, false, or empty texts and objects.
         """
         pairs = {name: it if isinstance(it, tuple) else (it, attrgetter(name)) for name, it in properties.items()}
         self._optional = optional
         self._reads = {name: read for name, (_, read) in pairs.items()}
+        # the JSON Schema of such an object; other properties are refused
         self.schema: Schema = {
             "type": "object",
             "description": text,

@@ -42,14 +42,7 @@ class MeaningError(BuildError):
 
 
 def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
-    """Yields what is illegal in an encoded operation: constants, misaligned variables.
-
-    Args:
-        operation: The operation, alone or in a frame.
-
-    Yields:
-        The number of the argument, from 0, and an error that names its parameter and what would be right.
-    """
+    """Yields what is illegal in an encoded operation: the number of an argument, from 0, and an error."""
     arguments = operation.arguments
     yield from _wrong_arrays(arguments)
     for number, argument in enumerate(arguments):
@@ -87,15 +80,7 @@ def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]
 
 
 def check_number(parameter: Parameter, value: float) -> None:
-    """Refuses an illegal number.
-
-    Args:
-        parameter: Its declaration in the tables.
-        value: The number.
-
-    Raises:
-        BuildError: Names the parameter and what would be right.
-    """
+    """Refuses an illegal number. Raises BuildError."""
     domain = domain_of(parameter)
     if domain is not None and not domain.covers(value):
         sentence = f"{parameter.name} must be {domain.choice}, not {value}"
@@ -103,15 +88,7 @@ def check_number(parameter: Parameter, value: float) -> None:
 
 
 def check_text(parameter: Parameter, value: str) -> None:
-    """Refuses a text that is too long for the firmware.
-
-    Args:
-        parameter: Its declaration in the tables.
-        value: The text.
-
-    Raises:
-        BuildError: Names the parameter and how long the text may be.
-    """
+    """Refuses a text that is too long for the firmware. Raises BuildError."""
     size = len(value) + 1
     if parameter.most is not None and size > parameter.most:
         raise MeaningError(
@@ -183,17 +160,10 @@ def may_be_omitted(declaration: Declaration, number: int) -> bool:
 
 
 def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = False) -> Draft:
-    """Returns a draft from one value for each parameter, in order.
+    """Returns a draft from one value for each parameter, in order. Raises BuildError, and TypeError for REQUIRED.
 
-    Args:
-        schema: The operation.
-        values: As for `ev3proto.operation`; also a `Placeholder`, or None for an omitted output or count. A
-            list parameter takes a list, a list of outputs also their number.
-        unchecked: Allow values without a meaning for the brick, if they can be encoded.
-
-    Raises:
-        BuildError: Names operation, parameter, and what would be right.
-        TypeError: A value is REQUIRED.
+    A value may be a `Placeholder`, or None for an omitted output or count; a list parameter takes a list, a list of
+    outputs also their number. `unchecked` allows values without a meaning for the brick.
     """
     declaration = schema.declaration
     try:
@@ -258,16 +228,7 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
 
 
 def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False) -> None:
-    """Refuses an illegal constant for a parameter; variables and encoded arguments are accepted.
-
-    Args:
-        parameter: Its declaration in the tables.
-        value: Anything.
-        unchecked: Refuse only unknown names of the parameter's enumeration.
-
-    Raises:
-        BuildError: Names the parameter and what would be right.
-    """
+    """Refuses an illegal constant, or with `unchecked` only an unknown name. Raises BuildError."""
     if parameter.enum is not None:
         _check_name(parameter, value)
     if parameter.role is Role.JUMP and isinstance(value, str):

@@ -119,16 +119,10 @@ class Label:
 def settle(
     sizes: list[int], goals: Mapping[int, int], width: Callable[[int], int], *, is_shrinking: bool = False
 ) -> None:
-    """Gives every jump the number of bytes that its distance needs.
+    """Gives every jump in `sizes` the number of bytes that its distance to its goal needs.
 
     A distance counts from the end of the jump, so it depends on all jumps between, and on itself. Jumps only grow or
-    only shrink, so this ends.
-
-    Args:
-        sizes: The size of every part of the code in bytes; those of jumps are changed.
-        goals: The target of each jump, both as numbers of parts.
-        width: Returns the size of a distance in its shortest encoding.
-        is_shrinking: Jumps start long and become shorter, as in EV3-G.
+    only shrink, as in EV3-G, so this ends.
     """
     for _ in range(_MOST_PASSES):
         starts = list(accumulate(sizes, initial=0))
@@ -151,18 +145,9 @@ def settle(
 
 
 def with_jumps(encoded: Sequence[bytes], jumps: Mapping[int, Label], places: Mapping[Label, int]) -> list[bytes]:
-    """Returns operations with the distances to their labels filled in.
+    """Returns operations with the distances to their labels filled in for NO_DISTANCE. Raises BuildError.
 
-    Args:
-        encoded: The bytes of each operation, with NO_DISTANCE at the end of those that jump to a label.
-        jumps: The label by number of the operation.
-        places: The number of the operation that a label precedes; for the end of the command, their number.
-
-    Returns:
-        The bytes of each operation.
-
-    Raises:
-        BuildError: A label has no place, or is too far away for a frame.
+    A label is by the number of the operation that it precedes; at the end of the command, by their number.
     """
     for label in jumps.values():
         if label not in places:
@@ -185,42 +170,25 @@ def with_jumps(encoded: Sequence[bytes], jumps: Mapping[int, Label], places: Map
 
 
 class Need(NamedTuple):
-    """The requirements of a variable without a place.
+    """The requirements of a variable without a place."""
 
-    name       its user, for messages: `VALUE of UI_READ.GET_VBATT`
-    size       in bytes
-    alignment  its index must be a multiple of this
-    """
-
-    name: str
-    size: int
-    alignment: int
+    name: str  # its user, for messages: `VALUE of UI_READ.GET_VBATT`
+    size: int  # in bytes
+    alignment: int  # its index must be a multiple of this
 
 
 class Allocator:
-    """An allocator of local or global memory, from the lowest byte on.
-
-    scope  "local" or "global"
-    limit  total bytes
-    size   bytes up to the last used one
-    """
+    """An allocator of local or global memory, from the lowest byte on."""
 
     def __init__(self, scope: str, limit: int) -> None:
-        self.scope = scope
-        self.limit = limit
-        self.size = 0
+        self.scope = scope  # "local" or "global"
+        self.limit = limit  # total bytes
+        self.size = 0  # bytes up to the last used one
         self._next = 0
         self._taken: list[tuple[int, int, str]] = []
 
     def take(self, index: int, size: int, name: str, *, is_open: bool) -> None:
-        """Reserves bytes for a variable with an explicit place.
-
-        Args:
-            index: The first byte.
-            size: Number of bytes.
-            name: The variable's name in messages.
-            is_open: Whether it may take more bytes, up to the next variable with an explicit place.
-        """
+        """Reserves bytes for a variable with an explicit place; an open one may take more, up to the next."""
         self._taken.append((index, index + size, name if is_open else ""))
         self.size = max(self.size, index + size)
 

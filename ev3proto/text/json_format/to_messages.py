@@ -56,17 +56,7 @@ class RecordError(ValueError):
 
 
 def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
-    """Reads the objects in lines: one a line, or each over several lines as `jq` prints them.
-
-    Args:
-        lines: Lines of text.
-
-    Yields:
-        The number of an object's first line, counted from 1, and the object.
-
-    Raises:
-        RecordError: A text is not JSON, or an object has more than `MAX_RECORD` characters.
-    """
+    """Yields objects, one a line or as `jq` prints them, with their first lines. Raises RecordError."""
     kept: list[str] = []
     start = size = 0
     for number, line in enumerate(lines, 1):
@@ -99,20 +89,10 @@ def _no_json(error: Exception, start: int) -> str:
 
 
 def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
-    """Yields the frames of one object.
+    """Yields the frames of one object: one, the two of a dialogue, or none for a text on WiFi. Raises RecordError.
 
     The object's keys decide. If they agree with its key `hex`, that is the frame, so every frame comes back byte for
     byte. If they were changed, the frame is built from them.
-
-    Args:
-        entry: What was read from JSON.
-        dialect: The firmware whose instruction set the object was made with.
-
-    Yields:
-        The frame of a message, or the two frames of a dialogue. Nothing for a beacon and other texts on WiFi.
-
-    Raises:
-        RecordError: No frame can be made of the object.
     """
     if not isinstance(entry, dict):
         raise RecordError(f"expected an object such as decode --json prints, not {_shown(entry)}")
@@ -125,18 +105,7 @@ def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
 
 
 def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
-    """Makes the frame of one message's object.
-
-    Args:
-        entry: The object.
-        dialect: The firmware whose instruction set the object was made with.
-
-    Returns:
-        The frame.
-
-    Raises:
-        RecordError: No frame can be made of the object.
-    """
+    """Makes the frame of one message's object. Raises RecordError."""
     if "hex" in entry:
         frame = _bytes(entry, "hex")
         if "type" not in entry or _is_told(entry, frame, dialect):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Callable
 from itertools import product
 
@@ -55,6 +56,25 @@ def test_a_wrong_frame_in_a_line_of_strace() -> None:
     escaped = NOTATIONS["hex escapes"](wrong)
     (piece,) = read_text([f'write(3, "{escaped}", 17) = 17\n'])
     assert (piece.data, piece.problem) == (wrong, None)
+
+
+def test_a_wrong_type_in_base64() -> None:
+    wrong = HEADS["unknown type"][0](TONE)
+    text = base64.b64encode(wrong).decode()
+    for line in (text, f"sent {text}", f'{{"data": "{text}"}}'):
+        assert [(piece.data, piece.problem) for piece in read_text([f"{line}\n"])] == [(wrong, None)]
+
+
+def test_a_length_too_small_in_an_object_with_indexes() -> None:
+    line = ", ".join(f'"{at}": {byte}' for at, byte in enumerate([*TONE, 7]))
+    assert [piece.data for piece in read_text([f"{{{line}}}\n"])] == [TONE + b"\x07"]
+
+
+def test_the_check_sum_below_a_wrong_frame_in_btmon() -> None:
+    wrong = headed(TONE, len(TONE) - 5)
+    head = "      RFCOMM: Unnumbered Info with Header Check (UIH) (0xef)\n         Length: 17\n         FCS: 0x9a\n"
+    rows = f"        {wrong[:16].hex(' ')}  ................\n        {wrong[16:].hex(' ')} 9a       ..\n"
+    assert [piece.data for piece in read_text((head + rows).splitlines(keepends=True))] == [wrong]
 
 
 UNKNOWN_TYPE = "0900e31a06003f0273f529"

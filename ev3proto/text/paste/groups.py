@@ -10,7 +10,7 @@ from ev3proto.schema.header import frame_size, may_have_length
 from ev3proto.text.paste.frames import LOOKS, is_wrong_frame, may_begin
 from ev3proto.text.paste.near import Near
 from ev3proto.text.paste.notations import NUMBERS
-from ev3proto.text.paste.pieces import LEAST, Head
+from ev3proto.text.paste.pieces import LEAST, Head, Pasted
 from ev3proto.text.paste.readings import Run
 
 _DIGITS = re.compile(r"0x[0-9a-fA-F]+|[0-9]+")
@@ -120,6 +120,7 @@ class Group:
     size        their characters
     said        what the lines above say of their bytes
     depth       brackets that are open at their end
+    left        the frames in the first of them, if the next lines do not belong to it
     tracks      their runs, as they are and without indexes
     has_commas  a comma ends each row but the last
     empty       lines without values at the end
@@ -131,6 +132,7 @@ class Group:
     size: int
     said: Head
     depth: int = 0
+    left: list[Pasted] = field(default_factory=list)
     rows: list[Row] = field(default_factory=list)
     tracks: tuple[Track, Track] = field(default_factory=lambda: (Track(), Track()))
     last: Row = field(default_factory=lambda: Row(0, ""))

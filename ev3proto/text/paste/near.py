@@ -91,6 +91,8 @@ def wrong_frame(run: Run, line: str, *, is_row: bool) -> Near | None:
                 continue
             if part.name == "words" and data[-1:] == b"\0" and frame_size(data) < len(data):
                 data = data[:-1]
+            if end == len(part.data) and run.check_sum is not None and data[-1] == run.check_sum:
+                data = data[:-1]
             if len(part.data) in REPORT_SIZES:
                 data = data.rstrip(b"\0")
             if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal):

@@ -151,8 +151,8 @@ _BETWEEN = r"(?>(?: [\s+&()\[\],;] | \\(?=\s|$) | \.(?=\s?[bB\"'$]) | bytes\( | 
 # Base64
 
 _DIGIT = "[A-Za-z0-9+/_-]"
-_FRAME_IN_BASE64 = rf"{_DIGIT}[AQgw][A-P]{_DIGIT}{{2}}[AQgwIYo4][A-Xg-r]{_DIGIT}+={{0,3}}"
-"""The length of a frame is below 1024, and its fifth byte is a type."""
+_FRAME_IN_BASE64 = rf"{_DIGIT}[AQgw][A-P]{_DIGIT}{{2}}(?:[AQgwIYo4][A-Xg-r]{_DIGIT}+|{_DIGIT}{{6,}})={{0,3}}"
+"""The length of a frame is below 1024. Its fifth byte is a type, which may be wrong in longer words."""
 
 
 # Notations
@@ -249,7 +249,7 @@ _NUMBER_OF_PROSE = re.compile(
     r"""
     (?P<bytes> (?> (?: (?:0[xX])? (?P<last>[0-9a-fA-F]+) (?!\w) [\s,:|]* )+ ) )
     [\])}"'`]?\s*
-    (?: (?:</?\w+>\s*)* \.? [A-Za-z_][\w.]*\s?\( | = | </?\w{2,}> | \( ) \W* (?P<number>\w+)
+    (?: (?:</?\w+>\s*)* \.? [A-Za-z_][\w.]*\s?\( | = | </?\w{2,}> | \( ) [^\w)]* (?P<number>\w+)
     """,
     re.VERBOSE,
 )
@@ -259,6 +259,8 @@ _LEAST_DIGITS = 8
 
 def end_of_bytes(line: str, start: int, end: int) -> int:
     """Returns where a run of numbers ends whose last number may belong to the words that follow the bytes."""
+    if all(line.find(sign, start, end) < 0 for sign in "(=>"):
+        return end
     found = _NUMBER_OF_PROSE.fullmatch(line, start, end)
     if found is None or len(found["bytes"]) < _LEAST_DIGITS or found["bytes"].rstrip().endswith(","):
         return end

@@ -55,8 +55,10 @@ _MAY_HAVE = re.compile(
   | (?<=\\)(?:[xX][0-9a-fA-F]|u00|u\{|[0-3])
     # The lesson's mark, an ellipsis, a length that is unknown.
   | (?<=0[xX]\|) | (?<=\.)\.\. | (?<=\u2026) | (?<=[xXmM])(?<!\w.)[xXmM](?=[\s,:|])
-    # Base64.
-  | (?<=[AQgw])[A-P][A-Za-z0-9+/_-]{2}[AQgwIYo4][A-Xg-r]
+    # Base64, of which the type may be wrong only at the start of a word.
+  | (?<=[AQgw])[A-P](?:
+        [A-Za-z0-9+/_-]{2}[AQgwIYo4][A-Xg-r]
+      | (?:(?<=^..[A-P])|(?<=[^\w+/.-]..[A-P]))[A-Za-z0-9+/_-]{8,}=*(?![\w+/=.]))
     )
     """,
     re.VERBOSE,
@@ -205,7 +207,7 @@ class Reader:
         if row.may_open:
             was_opened = self._is_opened()
             is_open = was_opened or row.depth > 0
-            self._group = Group(is_open, near, in_comment, len(line), self._said(), int(was_opened))
+            self._group = Group(is_open, near, in_comment, len(line), self._said(), int(was_opened), left)
             self._group.add(row)
         elif not self._emit(left):
             self._miss(near, [row])
@@ -494,7 +496,9 @@ class Reader:
             if one is not None:
                 self._miss([one], rows, group.said)
                 return
-        if not self._is_left_over(group):
+        if len(rows) == 1 and group.left:
+            self._emit(group.left)
+        elif not self._is_left_over(group):
             self._apart(rows, near, group.said)
 
     def _is_left_over(self, group: Group) -> bool:

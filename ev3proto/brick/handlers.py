@@ -100,7 +100,7 @@ class Entry(NamedTuple):
     """How the machine executes one operation."""
 
     function: Function
-    # one for each parameter; None where the handler reads its parameters itself
+    # one for each parameter; None if the handler reads its parameters itself
     readers: tuple[Callable[[Any], Any], ...] | None
 
 

@@ -373,7 +373,7 @@ class Machine:
         return True
 
     def create_array(self, type: Type, elements: int) -> int | None:
-        """Returns a new array's handle; None when there is no memory or no handle left."""
+        """Returns a new array's handle; None if no memory or no handle is left."""
         if not self.has_room(elements * type.size):
             return None
         return self.program.handles.add(Array(type, elements))

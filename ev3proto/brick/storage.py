@@ -54,7 +54,7 @@ class Storage:
     """The files."""
 
     def __init__(self, root: str | os.PathLike[str] | None, quota: int = QUOTA) -> None:
-        # the folder; None: there are no files. The firmware's folders are made in it.
+        # the folder, in which the firmware's folders are created; None: there are no files
         self.root = None if root is None else Path(root).resolve()
         self.quota = quota  # bytes that all files may take
         self.used = 0
@@ -117,14 +117,14 @@ class Storage:
     # Reading
 
     def open_to_read(self, path: bytes) -> StoredFile | None:
-        """Opens a file to read; None where there is none."""
+        """Opens a file to read; None if it does not exist."""
         place = self.locate(path)
         if place is None or not _is_file(place):
             return None
         return self._open(place, os.O_RDONLY, "rb")
 
     def read(self, path: bytes) -> bytes | None:
-        """Reads a whole file; None where there is none."""
+        """Reads a whole file; None if it does not exist."""
         file = self.open_to_read(path)
         if file is None:
             return None
@@ -175,7 +175,7 @@ class Storage:
         return [os.fsencode(name) for name, _ in _entries(place)]
 
     def totals(self, path: bytes) -> Totals:
-        """Returns the totals of a folder or file; zeros where there is none."""
+        """Returns the totals of a folder or file; zeros if it does not exist."""
         place = self.locate(path)
         if place is None:
             return Totals(0, 0)
@@ -187,7 +187,7 @@ class Storage:
     # Writing
 
     def open_to_write(self, path: bytes, *, append: bool = False) -> StoredFile | None:
-        """Opens a file to write: creates a missing one, empties it unless `append`. None where that is impossible."""
+        """Opens a file to write: creates a missing one, empties it unless `append`. None if that is impossible."""
         place = self.locate(path)
         if place is None or path.endswith(b"/"):
             return None
@@ -212,7 +212,7 @@ class Storage:
         return max(0, self.quota - self.used)
 
     def make_folder(self, path: bytes) -> bool:
-        """Creates one folder in an existing one. Returns False where it exists already, or that is impossible."""
+        """Creates one folder in an existing one. Returns False if it already exists, or that is impossible."""
         place = self.locate(path)
         if place is None or _status(place) is not None or not self._may_make():
             return False
@@ -231,7 +231,7 @@ class Storage:
             at = path.find(b"/", at + 1)
 
     def delete(self, path: bytes) -> bool:
-        """Deletes a file, a link or an empty folder. Returns False where that is impossible."""
+        """Deletes a file, a link or an empty folder. Returns False if that is impossible."""
         place = self.locate(path)
         status = None if place is None else _status(place)
         if place is None or status is None or place == self.root:
@@ -259,7 +259,7 @@ class Storage:
         return self.delete(path)
 
     def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> bool:
-        """Copies a file, or a folder and all that is in it, over the target. Returns False where that is impossible."""
+        """Copies a file, or a folder and all that is in it, over the target. Returns False if that is impossible."""
         source, target = source.rstrip(b"/"), target.rstrip(b"/")
         origin, goal = self.locate(source), self.locate(target)
         if origin is None or goal is None or goal.is_relative_to(origin):

@@ -47,7 +47,7 @@ class Ticket:
     __slots__ = ("prepared", "reply", "request")
 
     def __init__(self, prepared: Prepared | None, request: Request) -> None:
-        self.prepared = prepared  # the command as prepared; None where a whole frame was given
+        self.prepared = prepared  # the command as prepared; None if a whole frame was given
         self.request = request  # the command that it became
         self.reply: Future[bytes] = Future()  # the future frame of its reply; done at once if it wants none
 

@@ -87,7 +87,7 @@ class Taken:
 
 
 def needed(used: Iterable[Footprint]) -> int | None:
-    """Returns how many bytes of one memory variables take, None where that is not known."""
+    """Returns how many bytes of one memory variables take, None if that is unknown."""
     end = 0
     for place in used:
         if place.most is None:

@@ -40,7 +40,7 @@ def mangled(data: bytes) -> Mangled | None:
 
 
 def unmangled(data: bytes) -> tuple[bytes, str] | None:
-    """Returns the frame that a text changed, and what changed it; None where that is not certain."""
+    """Returns the frame that a text conversion changed, and the conversion; None if that is not certain."""
     if _is_flawless(data):
         return None
     for original, cause in ((_without_utf8(data), "UTF-8"), (data.replace(b"\r\n", b"\n"), "0D 0A for 0A")):

@@ -293,7 +293,7 @@ def _atoms(notation: _Notation, text: str, at: int, data: bytes) -> list[_Atom] 
 
 
 def _rewritten(notation: _Notation, text: str, atoms: list[_Atom], old: bytes, new: bytes) -> str | None:
-    """Returns the text with the new bytes in place of the old ones; None where their number must stay."""
+    """Returns the text with the new bytes in place of the old ones; None if their number must stay."""
     # If their number stays, so do their places; a comparison may see one of them move.
     opcodes = SequenceMatcher(None, old, new, autojunk=False).get_opcodes() if len(new) != len(old) else ()
     kept = [bytes((byte,)) for byte in (old if opcodes else new)]

@@ -109,7 +109,7 @@ class Device:
         self.changes = self.bumps = 0
 
     def raw(self, dataset: int = 0) -> float:
-        """Returns a raw reading in the selected mode; NaN where there is none, or where it is the format's NaN."""
+        """Returns a raw reading in the selected mode; NaN if there is none, or if it is the format's NaN."""
         mode = self.mode_data
         if dataset >= mode.datasets:
             return math.nan

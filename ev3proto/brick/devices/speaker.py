@@ -37,7 +37,7 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone: volume in percent, hertz, milliseconds (0 for ever), the clock in microseconds."""
+        """Plays a tone: volume in percent, hertz, milliseconds (0: without end), the clock in microseconds."""
         frequency = max(LOWEST, min(frequency, HIGHEST))
         self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
 

@@ -34,11 +34,11 @@ def fail(_: Machine) -> None:
     raise Failure
 
 
-# No debugger is attached, no byte code is typed at the terminal; the firmware repeats an unknown ARRAY for ever.
+# No debugger is attached, no byte code is typed at the terminal; the firmware repeats an unknown ARRAY forever.
 @handles("BP0", "BP1", "BP2", "UI_READ.GET_CODE", raw=True)
 @handles_unknown("ARRAY")
 def wait(_: Machine) -> None:
-    """Waits for ever."""
+    """Waits forever."""
     raise Busy
 
 

@@ -60,7 +60,7 @@ class InstallResult(Enum):
 class Folders:
     """Wireshark's folders: for Lua plugins, configuration profiles, and capture programs (extcap).
 
-    `extcap` is None where only a folder for Lua plugins is known.
+    `extcap` is None if only a folder for Lua plugins is known.
     """
 
     plugins: Path

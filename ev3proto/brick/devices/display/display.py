@@ -173,7 +173,7 @@ class Display(Part):
     def _view(
         self, font: int, color: int, x: int, y: int, number: float, figures: int, decimals: int, *, centred: bool
     ) -> int | None:
-        """Draws a number with its sign as a line; returns the cells it takes, None where it is drawn as dashes."""
+        """Draws a number with its sign as a line; returns the cells it takes, None if it is drawn as dashes."""
         letters = FONTS[font]
         before = (letters.width + 2) // 3 - 1
         self._sign(letters, 1 - color, x - before, y, x + figures * letters.width)

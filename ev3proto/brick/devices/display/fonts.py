@@ -26,7 +26,7 @@ class Font:
     """Rows of each character from FIRST on, the leftmost pixel the highest of `width` bits."""
 
     def glyph(self, character: int) -> tuple[int, ...] | None:
-        """Returns the rows of a character; None where it has none."""
+        """Returns the rows of a character; None if it has no glyph."""
         return self.glyphs[character - FIRST] if FIRST <= character <= LAST else None
 
 

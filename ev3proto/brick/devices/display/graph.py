@@ -36,7 +36,7 @@ class Scale(NamedTuple):
 
 
 class Summary(NamedTuple):
-    """The result of GRAPH_DRAW for one item; NaN where there is no sample."""
+    """The result of GRAPH_DRAW for one item; NaN without samples."""
 
     actual: float
     lowest: float

@@ -269,6 +269,16 @@ def test_rows_of_bytes_of_which_some_are_db() -> None:
             assert the_only(NOTATIONS[name](data)) == data
 
 
+@pytest.mark.parametrize("directive", ["db", "DB", "fcb", ".byte", "dc.b", "defb", "  DATA"])
+def test_directives_of_assemblers_in_front_of_each_row(directive: str) -> None:
+    rows = [TONE[:7], TONE[7:]]
+    for form in ("0x{:02x}", "{}"):
+        text = "\n".join(f"  {directive} {', '.join(map(form.format, row))}" for row in rows)
+        assert the_only(text) == TONE, text
+    hexadecimal = "\n".join(f"   {directive} {', '.join(map('0x{:02x}'.format, row))}" for row in rows)
+    assert the_only(f"tone:{hexadecimal}") == TONE
+
+
 @pytest.mark.parametrize("size", [1_100, 5_000])
 def test_downloads_longer_than_other_frames(size: int) -> None:
     data = random.Random(size).randbytes(size)

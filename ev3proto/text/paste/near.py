@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import REPORT_SIZES
-from ev3proto.text.paste.frames import LOOKS, bare_reason, is_prose, is_wrong_frame, may_begin
+from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, is_prose, is_wrong_frame, may_begin
 from ev3proto.text.paste.notations import BASE64, NUMBERS, STRINGS
 from ev3proto.text.paste.pieces import LEAST, clean_head, head_before, short
 from ev3proto.text.paste.readings import Part, Run, starts_of
@@ -140,7 +140,7 @@ def bare(run: Run, line: str) -> Near | None:
     if (line[: run.start] + line[run.end :]).strip(AROUND):
         return None
     data = run.likely_data()
-    is_hash = data is not None and (len(data) == 6 or (len(run.tokens) == 1 and len(data) in (16, 20, 28, 32, 48, 64)))
+    is_hash = data is not None and (len(data) == 6 or (len(run.tokens) == 1 and len(data) in HASHES))
     problem = None if data is None or is_hash else bare_reason(data)
     return None if problem is None else Near((run.number, run.start, run.end), b"", problem)
 

@@ -34,8 +34,14 @@ _REMARK = re.compile(r"\s*(?://|#|;|=|/\*)")
 _BYTES = re.compile(r"(?<!\w)(?:0x)?[0-9a-fA-F]{2}(?!\w)|\\x[0-9a-fA-F]{2}")
 _ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}[:-]){5}[0-9a-fA-F]{2}(?![:-])")
 _OPEN_STRING = re.compile(
-    r"(?:(?<!\w)b)?(?P<quote>[\"'])(?=[^\"'\\]*\\[xX0-3])(?P<body>(?:(?!(?P=quote))[^\\]|\\.)*?)(?P<cut>(?:\\x?[0-9a-fA-F]?)?(?:\.{3}|\u2026))?$"
+    r"""
+    (?: (?<!\w)b )? (?P<quote>["']) (?= [^"'\\]*\\[xX0-3] )
+    (?P<body> (?: (?!(?P=quote)) [^\\] | \\. )*? )
+    (?P<cut> (?: \\x?[0-9a-fA-F]? )? (?: \.{3} | \u2026 ) )? $
+    """,
+    re.VERBOSE,
 )
+"""A string without its second quote: its bytes, and the ellipsis at which it was cut."""
 _STRACE = re.compile(r"\b(?:write|send|sendto|read|recv|recvfrom)\(\d")
 _NSDATA = re.compile(r"\{length = \d+, bytes = |(?<![\w<])<[0-9a-f]{8} ")
 _MOST_WORD = 4

@@ -328,6 +328,20 @@ def test_no_text_raises(text: str) -> None:
         assert pasted.problem is None or pasted.problem
 
 
+def test_a_frame_above_an_empty_line_in_an_open_call() -> None:
+    text = 'assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")\n\n'
+    assert [(piece.line, piece.data) for piece in pieces(text)] == [(1, b"\x03\x00\x07\x00\x02")]
+
+
+def test_frames_in_consecutive_calls() -> None:
+    lines = (
+        '(system_7(0x9B, b"x\\0"), "05 00 07 00 05 9b 05", "creates or changes files"),',
+        '(system_7(0x92, b"\\5\\0\\0\\0x\\0"), "06 00 07 00 05 92 05 ff", "creates or changes files"),',
+        '(system_7(0x55, b""), "05 00 07 00 05 55 05", "the frame may do anything"),',
+    )
+    assert [piece.line for piece in read_text(lines)] == [1, 2, 3]
+
+
 def test_collected_text_is_bounded() -> None:
     row = "0x01, " * 16 + "\n"
     pasted = only("uint8_t x[] = {\n" + row * 700 + "};")

@@ -280,7 +280,8 @@ class Reader:
             owners: Sequence[int] = ()
             for frame in part.frames:
                 data = part.data[frame.start : frame.stop]
-                if len(run.tokens) == 1 or (len(data) == len(part.data) and reading.is_complete and len(lines) == 1):
+                is_in_line = len(data) == len(part.data) and reading.is_complete and len(lines) == 1
+                if run.number and (len(run.tokens) == 1 or is_in_line):
                     place = run.number, run.start, run.end
                 else:
                     owners = owners or part.owners(run)
@@ -526,8 +527,9 @@ class Reader:
                 if begun is not None:
                     self._miss(near, left[:1], said)
                     left, near = [], [begun]
-                left.append(row)
-                continue
+                if row.is_head or begun is not None:
+                    left.append(row)
+                    continue
             own: list[Near] = []
             for runs in self._attempts(clean(row.line), row.number, None if near or left else own):
                 pieces, _ = self._frames(runs, row.line)

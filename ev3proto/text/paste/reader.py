@@ -511,7 +511,7 @@ class Reader:
         are_bytes = max(map(len, values), default=0) <= len("0x00") and len(values) == len(group.rows)
         if not (first.has_offset or are_bytes) or not "".join(values).strip("0x"):
             return False
-        count = max(map(len, group.data()), default=0)
+        count = max(map(len, (group.live[0].data or {}).values()), default=0)
         follow = "1 byte follows" if count == 1 else f"{count} bytes follow"
         problem = f"{follow} the frame that ends in line {ended.row.number}: {short(' '.join(values))}"
         self._found.append(Pasted(b"", first.number, short(first.line, MAX_TEXT), problem=problem))

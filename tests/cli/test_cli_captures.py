@@ -430,11 +430,14 @@ def test_a_filter() -> None:
     )
 
 
-def test_wireshark_reads_standard_input_from_its_first_byte(tshark: Tshark) -> None:
-    path = CAPTURES / "usb.pcapng"
-    done = run("decode", "--engine", "wireshark", "--tshark", str(tshark.program), stdin=path.read_bytes())
-    assert (done.returncode, done.stderr) == (0, b"")
-    assert done.stdout == run("decode", str(path)).stdout
+def test_wireshark_reads_standard_input_from_its_first_byte(tshark: Tshark, tmp_path: Path) -> None:
+    """As root, newer versions load no dissector; so a program around tshark keeps what it is to read."""
+    capture, kept, program = CAPTURES / "usb.pcapng", tmp_path / "kept", tmp_path / "tshark"
+    keep = f'for word; do [ "$last" = -r ] && cp "$word" {kept}; last=$word; done'
+    program.write_text(f'#!/bin/sh\n{keep}\nexec {tshark.program} "$@"\n')
+    program.chmod(0o755)
+    run("decode", "--engine", "wireshark", "--tshark", str(program), stdin=capture.read_bytes())
+    assert kept.read_bytes() == capture.read_bytes()
 
 
 # The progress bar

@@ -12,6 +12,12 @@ from ev3proto.brick.storage import MOST_DEPTH, Storage
 MOST_MEMBERS = 1000
 """Files and folders of one archive."""
 
+_MOST_NAME = 255
+"""Bytes of a member's name, with its folders; the firmware's own paths end at 119."""
+
+_MOST_MEMBER_DEPTH = 16
+"""Maximum nesting depth of a member."""
+
 _HEADS = 2 * MOST_MEMBERS * tarfile.BLOCKSIZE
 """Largest overhead of an archive, in bytes."""
 
@@ -68,7 +74,8 @@ def unpack(storage: Storage, archive: bytes) -> bool:
 
 def _unpack_member(storage: Storage, folder: bytes, tar: tarfile.TarFile, entry: tarfile.TarInfo) -> bool:
     name = entry.name.encode("utf-8", "surrogateescape")
-    if name.startswith(b"/") or b".." in name.split(b"/"):
+    parts = name.split(b"/")
+    if name.startswith(b"/") or b".." in parts or len(name) > _MOST_NAME or len(parts) > _MOST_MEMBER_DEPTH:
         return False
     if entry.isdir():
         return storage.is_folder(folder + name) or storage.make_folder(folder + name)

@@ -598,6 +598,19 @@ def test_archives_with_names_that_lead_outside_are_not_unpacked(brick: Brick, pr
     assert not (projects.parent / "evil").exists()
 
 
+@pytest.mark.parametrize("name", ["a/" * 17 + "b", "a/" * 600, "/".join(["n" * 63] * 4) + "x"])
+def test_archives_with_long_or_deep_names_are_not_unpacked(brick: Brick, projects: Path, name: str) -> None:
+    import io
+    import tarfile
+
+    with tarfile.open(projects / "x.raf", "w:gz") as archive:
+        entry = tarfile.TarInfo(name)
+        entry.size = 1
+        archive.addfile(entry, io.BytesIO(b"x"))
+    assert run(brick, op("FILENAME.UNPACK", "../prjs/x"))[0] == OK
+    assert sorted(path.name for path in projects.iterdir()) == ["x.raf"]
+
+
 def test_a_full_folder_takes_no_more(tmp_path: Path) -> None:
     storage = Storage(tmp_path, quota=10)
     file = storage.open_to_write(b"../prjs/a")

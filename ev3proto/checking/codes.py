@@ -426,8 +426,8 @@ LABEL_FOR_NUMBER = _code(
     "E307",
     "a label instead of a number",
     """
-    An identification byte of A0 to BF is LAB1, a label for jumps. The brick replaces it by the distance to that label,
-    whatever the operation does with it.
+    An identification byte of A0 to BF is LAB1, a label for jumps. The brick replaces labels 1 to 31 by the distance to
+    that label, whatever the operation does with it.
 
     Programs that set a sign in the identification byte send A1 14 for -20. Negative numbers have no sign of their own:
     -20 is 2C (LC0), -100 is 81 9C.
@@ -476,6 +476,18 @@ NO_MEMBER = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:1F"),
     _sized("2A:00|80|00:00|82:1B:01"),
+)
+NUMBER_AS_LABEL = _code(
+    "W305",
+    "a number that is encoded as a label",
+    """
+    An identification byte of A0 to BF is LAB1, a label for jumps. A program has labels 1 to 31; the brick takes 0, 32
+    and above as plain numbers of one byte without a sign.
+
+    Programs that set a sign in the identification byte send A1 32 for -50, and the brick reads 50. -50 is 81 CE.
+    """,
+    _sized("2A:00|80|00:00|A5:00:01:A1:32:A6:00:01"),
+    _sized("2A:00|80|00:00|A5:00:01:81:CE:A6:00:01"),
 )
 
 SMALL_NUMBER = _code(

@@ -54,7 +54,7 @@ def findings(operations: str, memory: str = "00 00") -> list[Finding]:
         (
             "A5 00 01 B5 A6 00 01",  # the label takes A6, and 00 is then an opcode
             10,
-            "0xB5 is LAB1, a label: the brick puts the place of label -90 here, not a number",
+            "0xB5 is LAB1, a label, but labels are 1 to 31: the brick takes this one as the number -90",
             "write the number -75 as 81 B5, or -90 as 81 A6",
         ),
         (
@@ -87,7 +87,7 @@ def findings(operations: str, memory: str = "00 00") -> list[Finding]:
 def test_a_raw_byte(operations: str, offset: int, message: str, help_: str) -> None:
     found = findings(operations)
     assert [(each.offset, each.message, each.help) for each in found] == [(offset, message, help_)]
-    assert found[0].severity == "error"
+    assert found[0].severity == ("warning" if "takes this one as" in message else "error")
 
 
 @pytest.mark.parametrize(
@@ -95,13 +95,29 @@ def test_a_raw_byte(operations: str, offset: int, message: str, help_: str) -> N
     [
         ("A1 A1 14 00 01", "write the number 20 as 14, or -20 as 2C"),  # LAYER is 0 to 3: neither fits
         ("A5 00 01 A1 14 A6 00 01", "write the number 20 as 14, or -20 as 2C"),
-        ("A5 00 01 A0 64 A6 00 01", "write the number 100 as 81 64, or -100 as 81 9C"),
+        ("A5 00 01 A1 1F A6 00 01", "write the number 31 as 1F, or -31 as 21"),
     ],
 )
 def test_a_label_for_a_number(operations: str, help_: str) -> None:
     (found,) = findings(operations)
     assert (found.code, found.help) == ("E307", help_)
-    assert " is LAB1, a label: " in found.message
+    assert " is LAB1, a label: the brick puts the place of label " in found.message
+
+
+@pytest.mark.parametrize(
+    ("operations", "number"),
+    [
+        ("A5 00 01 A1 00 A6 00 01", 0),  # jumps name labels from 1 on
+        ("A5 00 01 A1 20 A6 00 01", 32),
+        ("A5 00 01 A1 32 A6 00 01", 50),
+        ("A5 00 01 A1 CE A6 00 01", -50),  # SPEED has one byte
+        ("94 01 01 A1 C8 82 E8 03", 200),  # FREQUENCY has two
+    ],
+)
+def test_labels_from_32_on_are_numbers(operations: str, number: int) -> None:
+    (found,) = findings(operations)
+    assert found.code == "W305"
+    assert f"labels are 1 to 31: the brick takes this one as the number {number}" in found.message
 
 
 def test_labels_of_jumps_are_labels() -> None:

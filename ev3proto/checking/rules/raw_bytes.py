@@ -15,9 +15,11 @@ from ev3proto.errors import counted
 from ev3proto.messages import Argument
 from ev3proto.schema.argument import ENCODINGS, LABEL_BYTE, encode_integer
 from ev3proto.semantics.facts import ParameterFacts
+from ev3proto.semantics.flow import is_label
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.declaration import Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, TEXT, Encoding
+from ev3proto.tables.validation import LABELS
 
 _BYTE = 1 << 8
 _WORD = 1 << 16
@@ -155,12 +157,15 @@ def label_for_number(operation: CheckedOperation, argument: Argument, known: Par
     if argument.raw[0] >= _FIRST_ODD_LABEL:
         numbers = raw_numbers(known, argument.raw, 0) + numbers
     numbers = [number for number in numbers if known.domain is None or known.domain.covers(number)] or numbers
-    return operation.finding_at(
-        codes.LABEL_FOR_NUMBER,
-        argument,
-        f"0x{argument.raw[0]:02X} is LAB1, a label: the brick puts the place of label {value} here, not a number",
-        how_to_write(list(dict.fromkeys(numbers))),
-    )
+    advice = how_to_write(list(dict.fromkeys(numbers)))
+    first = f"0x{argument.raw[0]:02X} is LAB1, a label"
+    if is_label(argument):
+        sentence = f"{first}: the brick puts the place of label {value} here, not a number"
+        return operation.finding_at(codes.LABEL_FOR_NUMBER, argument, sentence, advice)
+    # The brick takes the byte of another label without its sign.
+    number = value if known.parameter.type is Type.DATA8 else argument.raw[1]
+    sentence = f"{first}, but labels are 1 to {LABELS - 1}: the brick takes this one as the number {number}"
+    return operation.finding_at(codes.NUMBER_AS_LABEL, argument, sentence, advice)
 
 
 def _said(form: Encoding) -> str:
@@ -172,4 +177,7 @@ def _said(form: Encoding) -> str:
 
 def is_swallowing(finding: Finding) -> bool:
     """Returns whether a finding is about a raw byte that is read as an argument of several bytes."""
-    return finding.code in (codes.RAW_BYTE.code, codes.LABEL_FOR_NUMBER.code) and finding.length > 1
+    return (
+        finding.code in (codes.RAW_BYTE.code, codes.LABEL_FOR_NUMBER.code, codes.NUMBER_AS_LABEL.code)
+        and finding.length > 1
+    )

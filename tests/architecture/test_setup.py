@@ -1,4 +1,4 @@
-"""bin/setup survives: interrupted, twice at once, in a checkout that was moved. And the tests' lock.
+"""bin/setup survives: interrupted, twice at once, in a checkout that was moved, without rights. And the tests' lock.
 
 A program takes the place of Python and pip here, and quickly makes something that looks like an environment.
 """
@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 import tomllib
+import urllib.request
 from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
 
@@ -135,6 +136,44 @@ def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
     assert "making .venv" in checkout.run()
     assert checkout.run() == ""
     assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
+
+
+def test_without_the_module_venv_and_the_right_to_install_it(checkout: Checkout, tmp_path: Path) -> None:
+    """As on a bare Debian, for a user whom sudo refuses: what an administrator has to do, not what this user tried."""
+    for name, does in {
+        "id": "echo 1000",
+        "sudo": "exit 1",
+        "python3": 'case "$*" in *ensurepip*) exit 1 ;; esac',
+    }.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{does}\n")
+        (tmp_path / name).chmod(0o755)
+    process = checkout.start()
+    _, said = process.communicate(timeout=30)
+    assert process.returncode == 2
+    assert said.splitlines()[-1] == (
+        "bin/setup: python3-venv could not be installed; have an administrator run:"
+        " apt-get install --no-install-recommends python3-venv"
+    )
+
+
+def test_the_playground_is_served_and_its_link_printed(tmp_path: Path) -> None:
+    """The last step of bin/playground, in a folder that takes the place of the built site."""
+    (tmp_path / "playground").mkdir()
+    (tmp_path / "playground" / "index.html").write_text("the page")
+    server = subprocess.Popen(
+        [sys.executable, ROOT / "docs" / "playground" / "serve.py", tmp_path],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert server.stdout is not None
+    link = server.stdout.readline().strip()
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/playground/", link)
+    with urllib.request.urlopen(link, timeout=30) as page:
+        assert page.read() == b"the page"
+    server.send_signal(signal.SIGINT)
+    _, said = server.communicate(timeout=30)
+    assert (server.returncode, said) == (0, "Open this link in a browser; Ctrl-C ends the server.\n")
 
 
 def test_the_tests_get_the_versions_of_the_lock(checkout: Checkout) -> None:

@@ -41,7 +41,6 @@ from ev3proto.program.image import Entry, Program, image_of
 from ev3proto.program.image import parse as parse_program
 from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
-from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, build_frame, write_memory
 from ev3proto.schema.instructions import operation
@@ -50,7 +49,18 @@ from ev3proto.semantics.drafts.functions import drafts
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT
+from ev3proto.tables.encoding import (
+    CONSTANT,
+    GLOBAL,
+    IDENTIFICATIONS,
+    JUMP,
+    LOCAL,
+    NAN_FLOAT,
+    RANGES,
+    SHORT,
+    STRING_CODING,
+    TEXT,
+)
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
 from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
@@ -232,18 +242,14 @@ def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[
 def _first_bytes() -> dict[tuple[str, int | None], list[int]]:
     """Returns the identification bytes of long forms by kind and width, with and without handle and address bits."""
     found: dict[tuple[str, int | None], list[int]] = {}
-    for byte, encoding in enumerate(ENCODINGS):
-        if encoding is not None and encoding.width != 0:
-            found.setdefault((encoding.kind, encoding.width), []).append(byte)
+    for first, last, encoding, value in IDENTIFICATIONS:
+        if value is None:
+            found.setdefault((encoding.kind, encoding.width), []).extend(range(first, last + 1))
     return found
 
 
 _FIRST_BYTES = _first_bytes()
-_SHORT_FORMS = {
-    (encoding.kind, value): bytes((byte,))
-    for byte, (encoding, value) in enumerate(zip(ENCODINGS, SHORT_VALUES, strict=True))
-    if encoding is not None and value is not None
-}
+_SHORT_FORMS = {(encoding.kind, value): bytes((byte,)) for byte, (encoding, value) in enumerate(SHORT)}
 
 
 def _in_width(number: int, width: int, signed: bool) -> bool:

@@ -31,37 +31,37 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
-from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES, SIZES, STRINGS
+from ev3proto.schema.argument import INTEGER_FORMS
 from ev3proto.tables.declaration import Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, SIZES, STRINGS, TEXT, Encoding
 from ev3proto.tables.memory import ARRAY_ROOM
 from ev3proto.tables.validation import LABELS
 
 _SHORT_CONSTANT, _SHORT_LOCAL, _SHORT_GLOBAL, _LONG_CONSTANT, _OTHER = range(5)
 
-_Unpack = Callable[[bytearray, int], tuple[int]]
-_Form = tuple[int, int, _Unpack | None, int]
+_Form = tuple[int, int, Callable[[bytes | bytearray, int], tuple[int]] | None, int]
 
 
-def _forms() -> tuple[_Form, ...]:
-    """Returns for each identification byte: kind, value of a short form, unpacking of a long constant, size."""
-    shorts = {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}
-    layouts = {1: "<xb", 2: "<xh", 4: "<xi"}
-    forms: list[_Form] = []
-    for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True):
-        if encoding is None or encoding.handle or encoding.address:
-            forms.append((_OTHER, 0, None, 0))
-        elif value is not None:
-            forms.append((shorts[encoding.kind], value, None, 1))
-        elif encoding.kind == CONSTANT and encoding.width in layouts:
-            layout = struct.Struct(layouts[encoding.width])
-            forms.append((_LONG_CONSTANT, 0, layout.unpack_from, layout.size))
-        else:
-            forms.append((_OTHER, 0, None, 0))
-    return tuple(forms)
+_MEANINGS: tuple[tuple[Encoding | None, int | None], ...] = (
+    *SHORT,
+    *((each, None) for each in ENCODINGS[len(SHORT) :]),
+)
+"""The encoding of each identification byte, and the value of a short form."""
 
 
-_FORMS = _forms()
+def _form(byte: int) -> _Form:
+    """Returns of an identification byte: kind, value of a short form, unpacking of a long constant, size."""
+    encoding, value = _MEANINGS[byte]
+    if encoding is not None and value is not None:
+        return {CONSTANT: _SHORT_CONSTANT, LOCAL: _SHORT_LOCAL, GLOBAL: _SHORT_GLOBAL}[encoding.kind], value, None, 1
+    form = INTEGER_FORMS[byte]
+    if form is None or form[0].kind != CONSTANT or form[0].handle or form[0].address:
+        return _OTHER, 0, None, 0
+    _, unpack, size = form
+    return _LONG_CONSTANT, 0, unpack, size
+
+
+_FORMS = tuple(map(_form, range(len(_MEANINGS))))
 
 _SCRATCH = 4096
 """Size in bytes of the buffer that every constant is written to while it is read as memory.
@@ -265,7 +265,7 @@ class Machine:
         """
         code, ip = self.code, self.ip
         first = code[ip]
-        encoding, number = ENCODINGS[first], SHORT_VALUES[first]
+        encoding, number = _MEANINGS[first]
         self.ip = ip + 1
         if encoding is None:
             # An undefined width takes no byte; the value in the firmware is arbitrary.

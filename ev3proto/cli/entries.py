@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from ev3proto.errors import counted
-from ev3proto.schema.argument import ENCODINGS, LABEL_BYTE
+from ev3proto.schema.argument import LABEL_BYTE
 from ev3proto.tables.devices import DEVICE_TYPES
+from ev3proto.tables.encoding import ADDRESS_BIT, ENCODINGS, HANDLE_BIT
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.errors import ERRORS
 from ev3proto.text.spans import Line, Role
@@ -98,8 +99,8 @@ _SHORTEST = {
     "GVX": ("The shortest encoding of a global variable", "GV0", "GV1", "GV2", "GV4"),
 }
 _BITS = {
-    "HND": (0x10, "A handle: the variable holds the number of an array, which is meant"),
-    "ADR": (0x08, "An address: the variable holds the place in memory of what is meant"),
+    "HND": (HANDLE_BIT, "A handle: the variable holds the number of an array, which is meant"),
+    "ADR": (ADDRESS_BIT, "An address: the variable holds the place in memory of what is meant"),
 }
 
 

@@ -13,11 +13,11 @@ from ev3proto.cli.entries import ENCODING, MODE, Entry, device_types, encoding, 
 from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, json_option
 from ev3proto.cli.output import Failure, Printer, say_json
 from ev3proto.errors import near_misses
-from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import OPCODES, area_of, operations
 from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
+from ev3proto.tables.encoding import ENCODINGS
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
 from ev3proto.text.spans import Line, Role

@@ -1,6 +1,6 @@
 """One argument of an operation: an identification byte and its value, read and written for one declared parameter.
 
-The meaning of each identification byte comes from the declaration in `wire_format`.
+The meaning of each identification byte comes from the rows of `tables/encoding.py`.
 """
 
 from __future__ import annotations
@@ -8,110 +8,38 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Callable, Iterable
-from itertools import product
 from typing import Any
-
-from construct import Array, Struct
-from construct.lib import integer2bits
 
 from ev3proto.errors import BuildError, DecodeError, counted
 from ev3proto.messages import Argument, Variable
-from ev3proto.schema.wire_format import LONG_FORM, SHORT_CONSTANT, SHORT_VARIABLE
 from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import (
     ADDRESS_BIT,
     BITS,
     CONSTANT,
     CONSTANT_RANGES,
+    ENCODINGS,
     GLOBAL,
     HANDLE_BIT,
     INDEX_RANGES,
-    JUMP,
     LOCAL,
     NAN_FLOAT,
     RANGES,
+    SHORT,
+    SIZES,
     STRING_CODING,
-    STRING_OLD,
-    STRING_ZERO,
     TEXT,
-    WIDTHS,
     Encoding,
 )
 
-
-def _long_encoding(is_variable: bool, selector: bool, handle: bool, address: bool, width: int) -> Encoding | None:
-    if is_variable:
-        if width not in WIDTHS:
-            return None
-        scope, letter = (GLOBAL, "G") if selector else (LOCAL, "L")
-        return Encoding(f"{letter}V{WIDTHS[width]}", scope, WIDTHS[width], handle, address)
-    if selector:
-        # The firmware ignores the other bits of a label's identification byte.
-        return Encoding("LAB1", JUMP, 1, handle, address)
-    if width in (STRING_OLD, STRING_ZERO):
-        return Encoding("LCS" if width == STRING_ZERO else "LCS_OLD", TEXT, None, handle, address)
-    if width not in WIDTHS:
-        return None
-    return Encoding(f"LC{WIDTHS[width]}", CONSTANT, WIDTHS[width], handle, address)
-
-
-_SHORT_CONSTANT = Encoding("LC0", CONSTANT, 0)
-_SHORT_VARIABLE = {False: Encoding("LV0", LOCAL, 0), True: Encoding("GV0", GLOBAL, 0)}
-
-
-def _readings(form: Struct) -> list[tuple[Any, ...]]:
-    """Returns the values of a form's fields for all combinations of its bits, in order."""
-    # Each field parses its own bits only. Parsing the whole byte 256 times takes ten times as long, at each import.
-    fields = []
-    for field in form.subcons:
-        size = field.sizeof()
-        bits = b"".join(integer2bits(number, size) for number in range(1 << size))
-        fields.append(Array(1 << size, field).parse(bits))
-    return list(product(*fields))
-
-
-def _survey() -> tuple[tuple[Encoding | None, ...], tuple[int | None, ...]]:
-    constants, variables, longs = map(_readings, (SHORT_CONSTANT, SHORT_VARIABLE, LONG_FORM))
-    # Bytes with neither of the first two bits come first, then those with the second, the first, and both.
-    encodings = (
-        *(_SHORT_CONSTANT for _ in constants),
-        *(_SHORT_VARIABLE[is_global] for is_global, _ in variables),
-        *(_long_encoding(False, *fields) for fields in longs),
-        *(_long_encoding(True, *fields) for fields in longs),
-    )
-    values = (*(value for *_, value in (*constants, *variables)), *[None] * (2 * len(longs)))
-    return encodings, values
-
-
-ENCODINGS, SHORT_VALUES = _survey()
-"""For each of the 256 bytes: its encoding (None if undefined) and, for short forms, the value in it."""
-
-
-Form = tuple[Encoding, Callable[[bytes, int], tuple[Any]] | None, int]
+Form = tuple[Encoding, Callable[[bytes | bytearray, int], tuple[Any]] | None, int]
 """A long form: its encoding, the reader of its value (None for a string), its size with the identification byte."""
 
 Reader = tuple[Parameter, tuple[Form | None, ...]]
 """A parameter, and the long forms of its arguments by their identification byte."""
 
-SIZES = bytes(0 if encoding is None or encoding.width is None else 1 + encoding.width for encoding in ENCODINGS)
-"""The size of an argument in bytes by its identification byte, which is included. 0 for strings, which end at their
-zero, and for undefined bytes."""
-
-STRINGS = frozenset(byte for byte, encoding in enumerate(ENCODINGS) if encoding is not None and encoding.kind == TEXT)
-"""The identification bytes of strings."""
-
-SHORT: tuple[tuple[Encoding, int], ...] = tuple(
-    (encoding, value)
-    for encoding, value in zip(ENCODINGS, SHORT_VALUES, strict=True)
-    if encoding is not None and value is not None
-)
-"""Short forms by their only byte (0 to 127): encoding and value."""
-
 _LONG = len(SHORT)
 """The lowest identification byte of a long form."""
-
-_SIGNED = {1: "<xb", 2: "<xh", 4: "<xi"}
-_UNSIGNED = {1: "<xB", 2: "<xH", 4: "<xI"}
 
 
 def _long_form(encoding: Encoding | None, size: int, *, float_constants: bool) -> Form | None:
@@ -119,9 +47,8 @@ def _long_form(encoding: Encoding | None, size: int, *, float_constants: bool) -
         return None
     if encoding.width is None:
         return encoding, None, 0
-    layouts = _UNSIGNED if encoding.kind in (LOCAL, GLOBAL) else _SIGNED
     is_float = float_constants and encoding.kind == CONSTANT and encoding.width == 4
-    return encoding, struct.Struct("<xf" if is_float else layouts[encoding.width]).unpack_from, size
+    return encoding, struct.Struct("<xf" if is_float else f"<x{encoding.letter}").unpack_from, size
 
 
 INTEGER_FORMS, _FLOAT_FORMS = (
@@ -316,8 +243,6 @@ LABEL_BYTE = _BY_NAME["LAB1", False, False]
 _NAN_ENCODING = {1: "LC1", 2: "LC2", 4: "LC4"}
 """The encoding in which a type's lowest number means "not a number", by the size of the type."""
 
-_INDEX_LAYOUTS = {0: None, 1: "<B", 2: "<H", 4: "<I"}
-
 
 _pack_1, _pack_2, _pack_4 = (struct.Struct(f"<B{letter}").pack for letter in "bhi")
 _LC1, _LC2, _LC4 = (_BY_NAME[name, False, False] for name in ("LC1", "LC2", "LC4"))
@@ -384,10 +309,10 @@ def encode_variable(variable: Variable, name: str = "the variable") -> bytes:
         key = (f"{letter}V{width}", variable.handle, variable.address)
         if not isinstance(variable.index, int) or variable.index not in indexes or key not in _BY_NAME:
             continue
-        head, layout = _BY_NAME[key], _INDEX_LAYOUTS[width]
-        return (
-            bytes((head | variable.index,)) if layout is None else bytes((head,)) + struct.pack(layout, variable.index)
-        )
+        head = _BY_NAME[key]
+        if width == 0:
+            return bytes((head | variable.index,))
+        return bytes((head,)) + variable.index.to_bytes(width, "little")
     raise BuildError(f"{name} cannot be {variable}: an index is a whole number from 0 to 4294967295")
 
 
@@ -426,9 +351,8 @@ def encode_as(name: str, value: int | float | str) -> bytes:
         if value not in numbers:
             raise BuildError(f"{name} cannot hold {value}: it is limited to {numbers[0]} to {numbers[-1]}")
         return bytes((head | value & 0x3F,))
-    layout = (_UNSIGNED if is_variable else _SIGNED)[encoding.width or 1]
     try:
-        return bytes((head,)) + struct.pack(layout.replace("x", ""), value)
+        return bytes((head,)) + struct.pack(f"<{encoding.letter}", value)
     except struct.error:
         bits = 8 * (encoding.width or 1)
         low, high = (0, (1 << bits) - 1) if is_variable else (-(1 << bits - 1), (1 << bits - 1) - 1)

@@ -26,7 +26,6 @@ from functools import cache
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import GV, LV
 from ev3proto.schema.argument import (
-    ENCODINGS,
     encode_as,
     encode_float,
     encode_integer,
@@ -37,7 +36,7 @@ from ev3proto.schema.argument import (
 )
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.constants import CONSTANTS
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
+from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, LOCAL
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
 from ev3proto.tables.output import PORTS as OUTPUT_PORTS

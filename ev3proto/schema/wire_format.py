@@ -57,7 +57,7 @@ from ev3proto.errors import BuildError, DecodeError
 from ev3proto.tables import OPCODES, operations
 from ev3proto.tables.daisy import SENSOR_DATA_SIZE, DaisyCommand
 from ev3proto.tables.declaration import DATA8, Declaration, Direction, Parameter, Type
-from ev3proto.tables.encoding import RANGES, STRING_CODING, STRING_OLD, STRING_ZERO
+from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import GLOBAL_BITS, LOCAL_BITS, MAX_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 from ev3proto.tables.mailboxes import message_of
@@ -85,9 +85,9 @@ UNDEFINED = Check(False)
 
 
 def _encoded(four_bytes: Construct) -> Construct:
-    width = this.identification.form.width  # 1, 2 and 3 announce 1, 2 and 4 bytes, two others a text up to its zero
+    width = this.identification.form.width  # 1, 2 and 3 announce 1, 2 and 4 bytes, 0 and 4 a text up to its zero
     indexes = Switch(width, {1: Int8ul, 2: Int16ul, 3: Int32ul}, UNDEFINED)
-    texts = {STRING_OLD: TEXT, STRING_ZERO: TEXT}
+    texts = {0: TEXT, 4: TEXT}
     constants = Switch(width, {1: Int8sl, 2: Int16sl, 3: four_bytes, **texts}, UNDEFINED)
     labels_and_constants = IfThenElse(this.identification.form.selector, Int8sl, constants)
     long_value = IfThenElse(this.identification.is_variable, indexes, labels_and_constants)

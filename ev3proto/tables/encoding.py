@@ -1,24 +1,19 @@
-"""The encodings of values in a frame, their widths, and the numbers that each type can hold.
+"""The encodings of values in a frame: the 256 identification bytes, and the numbers that each type can hold.
 
-The identification byte says which encoding follows; its bits are declared in `ev3proto.schema.argument`. Ranges
+`ev3proto.schema.wire_format` declares the bits of an identification byte in Construct; a test compares all 256. Ranges
 omit the one value that means "not a number".
 """
 
+from itertools import product
 from typing import NamedTuple
 
 from ev3proto.tables.declaration import Type
 
-WIDTHS = {1: 1, 2: 2, 3: 4}
-"""Width code of a long form (bits 0 to 2) to the bytes that follow the identification byte."""
-
-STRING_OLD, STRING_ZERO = 0, 4
-"""Width codes of the two string forms; both end at a zero, new senders use the second (LCS)."""
+CONSTANT, TEXT, LOCAL, GLOBAL, JUMP = "constant", "string", "local", "global", "label"
+"""The kinds of argument."""
 
 HANDLE_BIT = 0x10
 ADDRESS_BIT = 0x08
-
-CONSTANT, TEXT, LOCAL, GLOBAL, JUMP = "constant", "string", "local", "global", "label"
-"""The kinds of argument."""
 
 
 class Encoding(NamedTuple):
@@ -39,6 +34,77 @@ class Encoding(NamedTuple):
 
     def __str__(self) -> str:
         return self.name
+
+    @property
+    def letter(self) -> str:
+        """The letter that `struct` has for the number that follows; empty if none does."""
+        letter = {1: "b", 2: "h", 4: "i"}.get(self.width or 0, "")
+        return letter.upper() if self.kind in (LOCAL, GLOBAL) else letter
+
+
+class Identification(NamedTuple):
+    """A run of identification bytes with one encoding.
+
+    first, last  the bytes, both included
+    encoding     what they mean
+    value        of short forms: the value in the byte `first`; the next byte has the next value
+    """
+
+    first: int
+    last: int
+    encoding: Encoding
+    value: int | None = None
+
+
+_SHORT_FORMS = (
+    Identification(0x00, 0x1F, Encoding("LC0", CONSTANT, 0), 0),
+    Identification(0x20, 0x3F, Encoding("LC0", CONSTANT, 0), -32),
+    Identification(0x40, 0x5F, Encoding("LV0", LOCAL, 0), 0),
+    Identification(0x60, 0x7F, Encoding("GV0", GLOBAL, 0), 0),
+)
+
+_LONG_FORMS = (
+    Identification(0x80, 0x80, Encoding("LCS_OLD", TEXT, None)),
+    Identification(0x81, 0x81, Encoding("LC1", CONSTANT, 1)),
+    Identification(0x82, 0x82, Encoding("LC2", CONSTANT, 2)),
+    Identification(0x83, 0x83, Encoding("LC4", CONSTANT, 4)),
+    Identification(0x84, 0x84, Encoding("LCS", TEXT, None)),
+    Identification(0xA0, 0xA7, Encoding("LAB1", JUMP, 1)),
+    Identification(0xC1, 0xC1, Encoding("LV1", LOCAL, 1)),
+    Identification(0xC2, 0xC2, Encoding("LV2", LOCAL, 2)),
+    Identification(0xC3, 0xC3, Encoding("LV4", LOCAL, 4)),
+    Identification(0xE1, 0xE1, Encoding("GV1", GLOBAL, 1)),
+    Identification(0xE2, 0xE2, Encoding("GV2", GLOBAL, 2)),
+    Identification(0xE3, 0xE3, Encoding("GV4", GLOBAL, 4)),
+)
+"""Each also exists with the handle bit, the address bit, or both. The firmware ignores the lowest bits of a label's."""
+
+
+def _with_bits(row: Identification, handle: bool, address: bool) -> Identification:
+    bits = HANDLE_BIT * handle | ADDRESS_BIT * address
+    return Identification(row.first | bits, row.last | bits, row.encoding._replace(handle=handle, address=address))
+
+
+IDENTIFICATIONS = (
+    *_SHORT_FORMS,
+    *sorted(_with_bits(*each) for each in product(_LONG_FORMS, (False, True), (False, True))),
+)
+"""All defined identification bytes, in order."""
+
+_BY_BYTE = {byte: row for row in IDENTIFICATIONS for byte in range(row.first, row.last + 1)}
+
+ENCODINGS = tuple(_BY_BYTE[byte].encoding if byte in _BY_BYTE else None for byte in range(0x100))
+"""The encoding of each of the 256 bytes; None if it is undefined."""
+
+SHORT = tuple((row.encoding, row.value + byte - row.first) for byte, row in _BY_BYTE.items() if row.value is not None)
+"""Short forms by their only byte (0 to 127): encoding and value."""
+
+SIZES = bytes(0 if encoding is None or encoding.width is None else 1 + encoding.width for encoding in ENCODINGS)
+"""The size of an argument in bytes by its identification byte, which is included. 0 for strings, which end at their
+zero, and for undefined bytes."""
+
+STRINGS = frozenset(byte for byte, row in _BY_BYTE.items() if row.encoding.kind == TEXT)
+"""The identification bytes of strings."""
 
 
 class Range(NamedTuple):

@@ -16,11 +16,10 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.frame import parse
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
-from ev3proto.tables.encoding import CONSTANT, STRING_CODING, TEXT
+from ev3proto.tables.encoding import CONSTANT, ENCODINGS, STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
 from ev3proto.text.phrases import (
     Seen,

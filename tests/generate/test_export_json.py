@@ -10,7 +10,7 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 import pytest
 
-from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
+from ev3proto.schema.wire_format import ENCODED
 from ev3proto.tables import AREAS, OPCODES, enumerations
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.system import SYSTEM
@@ -88,12 +88,12 @@ def test_all_identification_bytes_are_exported() -> None:
     for run in TABLES["encodings"]:
         for byte in range(run["first"], run["last"] + 1):
             told[byte] = (run["name"], run["value"] + byte - run["first"] if "value" in run else None)
-    expected = {
-        byte: (encoding.name, value)
-        for byte, (encoding, value) in enumerate(zip(ENCODINGS, SHORT_VALUES, strict=True))
-        if encoding is not None
-    }
-    assert told == expected
+    for byte in range(0x100):
+        argument = ENCODED.parse(bytes((byte, *range(5))))
+        if "rest" in argument:
+            assert byte not in told
+        else:
+            assert told[byte][1] == (None if argument.identification.is_long else argument.value)
     assert told[0x3F] == ("LC0", -1)
     assert told[0x82] == ("LC2", None)
 

@@ -15,9 +15,9 @@ from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
-from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.header import read_memory, write_memory
 from ev3proto.schema.instructions import instruction_set
+from ev3proto.tables.encoding import ENCODINGS
 
 pytestmark = pytest.mark.portable
 

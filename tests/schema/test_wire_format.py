@@ -21,9 +21,10 @@ from support.effort import effort
 import ev3proto
 from ev3proto import GV, BuildError, DecodeError, schema
 from ev3proto.schema import FRAME, OPERATIONS, declared
-from ev3proto.schema.wire_format import IDENTIFICATION, MEMORY, SENSOR_REPORT
+from ev3proto.schema.wire_format import ENCODED, IDENTIFICATION, MEMORY, SENSOR_REPORT
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import DIALECTS, Type
+from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, TEXT
 from ev3proto.testing import (
     daisy_messages,
     frames,
@@ -257,10 +258,29 @@ def test_parts(part: Any, value: Mapping[str, Any], data: str) -> None:
 
 
 def test_every_identification_byte() -> None:
+    """The bits, as Construct declares them, mean what the rows of the tables say."""
     assert (IDENTIFICATION.sizeof(), MEMORY.sizeof()) == (1, 2)
-    for byte in range(256):
-        data = bytes((byte,))
-        assert IDENTIFICATION.build(IDENTIFICATION.parse(data)) == data
+    for byte, encoding in enumerate(ENCODINGS):
+        data = bytes((byte, 1, 2, 3, 0))
+        parsed = ENCODED.parse(data)
+        assert IDENTIFICATION.build(IDENTIFICATION.parse(data[:1])) == data[:1]
+        if encoding is None:
+            assert "rest" in parsed, hex(byte)
+            continue
+        is_long, is_variable, form = (parsed.identification[name] for name in ("is_long", "is_variable", "form"))
+        kind = CONSTANT
+        if is_variable:
+            kind = GLOBAL if (form.selector if is_long else form.is_global) else LOCAL
+        elif is_long and form.selector:
+            kind = JUMP
+        elif isinstance(parsed.value, str):
+            kind = TEXT
+        size = len(ENCODED.build(parsed))
+        assert (encoding.kind, encoding.width) == (kind, None if kind == TEXT else size - 1), hex(byte)
+        assert (encoding.handle, encoding.address) == ((form.handle, form.address) if is_long else (False, False))
+        assert is_long or SHORT[byte] == (encoding, parsed.value)
+        names = {CONSTANT: f"LC{size - 1}", LOCAL: f"LV{size - 1}", GLOBAL: f"GV{size - 1}", JUMP: "LAB1"}
+        assert encoding.name == names.get(kind) or (encoding.name, byte & 7) in (("LCS_OLD", 0), ("LCS", 4))
 
 
 def test_every_bit_of_a_float_is_kept() -> None:

@@ -12,18 +12,20 @@ from ev3proto.checking.rules.memory import Use
 from ev3proto.checking.rules.raw_bytes import how_to_write, label_for_number, raw_constant, raw_numbers
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Operation, Variable
-from ev3proto.schema.argument import ENCODINGS, SHORT, encode_integer, encode_variable
+from ev3proto.schema.argument import encode_integer, encode_variable
 from ev3proto.semantics.facts import ParameterFacts
 from ev3proto.semantics.footprint import InlineArray, footprint, inline_arrays
 from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import (
     CONSTANT,
     CONSTANT_RANGES,
+    ENCODINGS,
     GLOBAL,
     INDEX_RANGES,
     JUMP,
     LOCAL,
     RANGES,
+    SHORT,
     TEXT,
     Encoding,
 )

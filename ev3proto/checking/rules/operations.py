@@ -11,14 +11,13 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.raw_bytes import raw_start
 from ev3proto.errors import Fault, counted
 from ev3proto.messages import Argument
-from ev3proto.schema.argument import ENCODINGS
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables import OPCODES, with_effect
 from ev3proto.tables.declaration import UNRELEASED, Effect, Role, Type
-from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, JUMP
+from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, ENCODINGS, JUMP
 
 _OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
 _ENDS = frozenset((Effect.ENDS,))

@@ -13,12 +13,12 @@ from ev3proto.checking.context import CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.errors import counted
 from ev3proto.messages import Argument
-from ev3proto.schema.argument import ENCODINGS, LABEL_BYTE, encode_integer
+from ev3proto.schema.argument import LABEL_BYTE, encode_integer
 from ev3proto.semantics.facts import ParameterFacts
 from ev3proto.semantics.flow import is_label
 from ev3proto.semantics.footprint import Footprint
 from ev3proto.tables.declaration import Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, TEXT, Encoding
+from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, TEXT, Encoding
 from ev3proto.tables.validation import LABELS
 
 _BYTE = 1 << 8

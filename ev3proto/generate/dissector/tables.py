@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import groupby
 from typing import Any
 
 from construct.core import SizeofError
 
 from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
-from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT, Encoding
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 
@@ -121,25 +119,15 @@ def _frames() -> Iterator[str]:
 
 def _encodings() -> Iterator[str]:
     yield "local ENCODING_ROWS = {\n"
-    for (encoding, _), run in groupby(range(256), key=_run_of):
-        if encoding is None:
-            continue
-        numbers = list(run)
+    for first, last, encoding, value in IDENTIFICATIONS:
         named: dict[Any, object] = {name: True for name in ("handle", "address") if getattr(encoding, name)}
-        value = SHORT_VALUES[numbers[0]]
         if value is not None:
             named["value"] = value
-        row = [hexadecimal(numbers[0]), hexadecimal(numbers[-1]), encoding.name, ENCODING_KINDS[encoding.kind]]
+        row = [hexadecimal(first), hexadecimal(last), encoding.name, ENCODING_KINDS[encoding.kind]]
         if encoding.width is not None:
             row.append(Name(encoding.width))
         yield f"    {literal(Table(row, named))},\n"
     yield "}\n\n"
-
-
-def _run_of(byte: int) -> tuple[Encoding | None, int | None]:
-    """Joins adjacent bytes with the same meaning, or with consecutive values, to one row."""
-    value = SHORT_VALUES[byte]
-    return ENCODINGS[byte], None if value is None else value - byte
 
 
 def _enumerations() -> Iterator[str]:

@@ -8,7 +8,7 @@ from ev3proto.generate.kaitai.naming import field_name, identifier, system_name
 from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy
-from ev3proto.tables.encoding import STRING_OLD, STRING_ZERO, WIDTHS
+from ev3proto.tables.encoding import CONSTANT, IDENTIFICATIONS, TEXT, Encoding
 from ev3proto.tables.frame import GLOBAL_BITS, MAX_GLOBALS, MAX_LENGTH, MIN_LENGTH, MessageType
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 
@@ -188,19 +188,25 @@ def _daisy() -> Mapping:
 
 # Arguments
 
-_FORMS = {1: "s1", 2: "s2", 4: "s4"}
-_INDEXES = {1: "u1", 2: "u2", 4: "u4"}
 _TEXT = 8
 """In `form`: a string. Values below it are widths of constants, values above it those of variables."""
 
 
+_WIDTH_BITS = 7
+
+
+def _is_long_constant(encoding: Encoding) -> bool:
+    return encoding.kind == CONSTANT and encoding.width != 0
+
+
 def _argument() -> Mapping:
-    widths = sorted(WIDTHS)
-    cases: Mapping = {width: _FORMS[WIDTHS[width]] for width in widths}
-    cases |= {_TEXT + width: _INDEXES[WIDTHS[width]] for width in widths}
-    one_byte = next(width for width in widths if WIDTHS[width] == 1)
-    four_bytes = next(width for width in widths if WIDTHS[width] == 4)
-    is_text = f"(width == {STRING_OLD} or width == {STRING_ZERO})"
+    codes = {row.encoding.width: row.first & _WIDTH_BITS for row in IDENTIFICATIONS if _is_long_constant(row.encoding)}
+    widths = sorted(codes.values())
+    cases: Mapping = {code: f"s{width}" for width, code in codes.items()}
+    cases |= {_TEXT + code: f"u{width}" for width, code in codes.items()}
+    one_byte, four_bytes = codes[1], codes[4]
+    texts = sorted({row.first & _WIDTH_BITS for row in IDENTIFICATIONS if row.encoding.kind == TEXT})
+    is_text = f"({' or '.join(f'width == {code}' for code in texts)})"
     form = f"not is_long ? 0 : is_variable ? {_TEXT} + width : is_label ? {one_byte} : {is_text} ? {_TEXT} : width"
     defined = " or ".join(f"width == {width}" for width in widths)
     return {

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.generate.pages.markdown import code, link, plain, table
-from ev3proto.schema.argument import ENCODINGS
 from ev3proto.tables import AREAS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import declarations
-from ev3proto.tables.encoding import Encoding
+from ev3proto.tables.encoding import ENCODINGS, Encoding
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.errors import ERRORS
 from ev3proto.tables.frame import MessageType

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import groupby
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any
 
 from ev3proto.generate.tables_json.json_text import written
 from ev3proto.generate.tables_json.shapes import (
@@ -23,13 +21,22 @@ from ev3proto.generate.tables_json.shapes import (
     ref,
     text,
 )
-from ev3proto.schema.argument import ENCODINGS, SHORT_VALUES
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables import AREAS, carriers, daisy, discovery, frame
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Effect, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, NAN_FLOAT, RANGES, STRING_CODING, TEXT, Encoding
+from ev3proto.tables.encoding import (
+    CONSTANT,
+    GLOBAL,
+    IDENTIFICATIONS,
+    JUMP,
+    LOCAL,
+    NAN_FLOAT,
+    RANGES,
+    STRING_CODING,
+    TEXT,
+)
 from ev3proto.tables.enumerations import ENUMERATIONS, FORMAT_TYPES
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
@@ -201,7 +208,7 @@ _ENCODING = Shape(
     "what a run of identification bytes says",
     {
         "name": (
-            one_of(sorted({entry.name for entry in ENCODINGS if entry}), "as in the firmware's macros"),
+            one_of(sorted({row.encoding.name for row in IDENTIFICATIONS}), "as in the firmware's macros"),
             attrgetter("encoding.name"),
         ),
         "first": byte("the first of the bytes that say this"),
@@ -209,7 +216,7 @@ _ENCODING = Shape(
         "kind": (one_of([CONSTANT, TEXT, LOCAL, GLOBAL, JUMP], "what the argument is"), attrgetter("encoding.kind")),
         "value": (
             number("of short forms: the value in the byte `first`; the next byte has the next value"),
-            lambda it: SHORT_VALUES[it.first],
+            attrgetter("value"),
         ),
         "width": (
             number("bytes that follow; omitted for strings, which end at their zero", 0, 4),
@@ -360,26 +367,6 @@ _CARRIERS = Shape(
 )
 
 
-class _Run(NamedTuple):
-    """Adjacent identification bytes with the same meaning, or with consecutive values."""
-
-    encoding: Encoding
-    first: int
-    last: int
-
-
-def _runs() -> Iterator[_Run]:
-    for (encoding, _), numbers in groupby(range(len(ENCODINGS)), key=_run_of):
-        if encoding is not None:
-            first, *rest = numbers
-            yield _Run(encoding, first, rest[-1] if rest else first)
-
-
-def _run_of(byte: int) -> tuple[Encoding | None, int | None]:
-    value = SHORT_VALUES[byte]
-    return ENCODINGS[byte], None if value is None else value - byte
-
-
 def _document() -> Shape:
     """Returns the whole document."""
     areas = {area: array(ref("opcode"), f"the area {area}") for area in AREAS}
@@ -397,7 +384,7 @@ def _document() -> Shape:
             "types": (array(ref("type"), "what parameters hold"), list(map(_TYPE.data, Type))),
             "encodings": (
                 array(ref("encoding"), "what the first byte of an argument says; bytes omitted are undefined"),
-                list(map(_ENCODING.data, _runs())),
+                list(map(_ENCODING.data, IDENTIFICATIONS)),
             ),
             "areas": (
                 Shape("the opcodes by the firmware's areas", areas).schema,

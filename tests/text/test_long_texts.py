@@ -30,6 +30,7 @@ HOSTILE = {
     "colons": ("|0f", 2),
     "minus": ("-1 ", 2),
     "labels": ("ff03 x\n", 10),
+    "calls behind quotes": ("'LV0(0)#", 1),
     "announcements": ("sent:\n", 10),
     "frames between words": ("0e002a0080000094 x ", 2),
     "arrays with comments": ("{/*", 1),

@@ -90,7 +90,7 @@ _STRACE_DUMP = re.compile(r" \| 0[0-9a-f]{4}  ")
 """What `strace -e write` prints below a call that has the same bytes as a string."""
 _INDEX_ALONE = re.compile(r"\s*\[\d{1,5}\]\s?=>\s*")
 _CHECK_SUM = re.compile(r"\s+FCS: 0x([0-9a-fA-F]{2})\b")
-_PREFIX = re.compile(r"(?:.{0,60}?(?:[)\]>]+:?|:)\s+)?(?:[A-Za-z ]*[g-zG-Z][A-Za-z]*:?\s+)?(?=\S)")
+_PREFIX = re.compile(r"(?:.{0,60}?(?:[)\]>]{1,9}:?|:)\s+)?(?:[A-Za-z ]{0,60}[g-zG-Z][A-Za-z]{0,30}:?\s+)?(?=\S)")
 _LABEL = re.compile(r"\s+[A-Za-z][a-z]*(?:\s[a-z]+)*\s*")
 _SUFFIXES = ("", "u", "U", "u8", "U8")
 _MOST_EMPTY = 3

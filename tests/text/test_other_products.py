@@ -1,0 +1,61 @@
+"""Other products' telegrams are named; a frame of an EV3, right or wrong, is never called one, nor dropped."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from support.cases import each
+from support.notations import NOTATIONS
+from support.typical import COMMANDS, SYSTEM, frame, with_length
+
+from ev3proto.text.paste import read_argument, read_text
+
+SLIPS: dict[str, Callable[[bytes, int], bytes]] = {
+    "length counts itself": lambda data, _: with_length(data, len(data)),
+    "length two too small": lambda data, _: with_length(data, len(data) - 4),
+    "a byte lost": lambda data, at: data[: at % (len(data) - 5) + 5] + data[at % (len(data) - 5) + 6 :],
+    "unknown type": lambda data, at: data[:4] + bytes((0x40 + at % 0x40,)) + data[5:],
+}
+FORMS = ("blanks", "C", "repr", "decimals", "lesson")
+RIGHT = "06 00 2a 00 80 00 00 01"
+
+
+@each("form, slip", [(form, slip) for form in FORMS for slip in SLIPS])
+@given(
+    contents=st.sampled_from([*COMMANDS.values(), *SYSTEM.values()]),
+    counter=st.integers(0, 65535),
+    at=st.integers(0, 255),
+)
+@example(contents=COMMANDS["tone"], counter=1, at=0)
+@example(contents=COMMANDS["battery"], counter=3, at=0)
+@example(contents=COMMANDS["nothing"], counter=0x0300, at=0)
+def test_a_wrong_frame_is_never_a_strangers(form: str, slip: str, contents: str, counter: int, at: int) -> None:
+    right = frame(contents, counter)
+    wrong = SLIPS[slip](right, at)
+    text = NOTATIONS[form](wrong)
+    alone = read_argument(text)
+    assert alone.data
+    assert alone.problem is None
+    pieces = list(read_text([f"{RIGHT}\n", f"TX {text}\n", f"{RIGHT}\n"]))
+    assert all(piece.data and piece.problem is None for piece in pieces)
+
+
+STRANGERS = {
+    "06 00 00 03 0b 02 f4 01": "NXT (PLAYTONE)",
+    "06 00 80 03 b8 01 e8 03": "NXT (PLAYTONE)",
+    "80 04 00 64 07 00 00 20 00 00 00 00": "NXT (SETOUTPUTSTATE)",
+    "80 04 01 4b 05 01 00 20 00 00 00 00": "NXT (SETOUTPUTSTATE)",
+    "08 00 81 00 11 51 00 25": "Wireless Protocol",
+    "0f 00 04 00 01 27 00 00 00 00 10 00 00 00 10": "Wireless Protocol",
+    "0a 00 41 00 00 01 00 00 00 01": "Wireless Protocol",
+}
+
+
+@pytest.mark.parametrize("text", STRANGERS)
+def test_a_telegram_of_another_product_is_named(text: str) -> None:
+    (piece,) = read_text(["connected\n", f"{text}\n"])
+    assert piece.data == b""
+    assert STRANGERS[text] in (piece.problem or "")

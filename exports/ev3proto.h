@@ -35,8 +35,13 @@
 
 /* Frames --------------------------------------------------------------------------------------------------------- */
 
-/* Bytes of the largest frame, its length field included, and of a report on USB */
+/*
+ * Bytes of the largest frame, its length field included, and of a report on USB. If memory is scarce, define a smaller
+ * even number before you include this file: an ev3_frame takes that many bytes and four.
+ */
+#ifndef EV3_MAX_FRAME
 #define EV3_MAX_FRAME 1024
+#endif
 
 /* TCP port on which a brick listens */
 #define EV3_TCP_PORT 5555
@@ -4612,13 +4617,7 @@ enum {
     DATA8_MAX = 127,
     DATA16_MIN = -32767,
     DATA16_MAX = 32767,
-    DATA32_MIN = -2147483647,
-    DATA32_MAX = 2147483647,
-    DATAF_MIN = -2147483647,
-    DATAF_MAX = 2147483647,
     DATA8_NAN = 128,
-    DATA16_NAN = 32768,
-    DATAF_NAN = 2143289344,
     PULSE_GUI_BACKGROUND = 1,
     PULSE_BROWSER = 2,
     PULSE_KEY = 4,
@@ -4664,7 +4663,13 @@ enum {
 #define EXT_PROGRAM ".rpf"
 #define EXT_CONFIG ".rcf"
 #define EXT_ARCHIVE ".raf"
+#define DATA32_MIN (-2147483647)
+#define DATA32_MAX 0x7FFFFFFFu
+#define DATAF_MIN (-2147483647)
+#define DATAF_MAX 0x7FFFFFFFu
+#define DATA16_NAN 0x8000u
 #define DATA32_NAN 0x80000000u
+#define DATAF_NAN 0x7FC00000u
 
 
 /* Filling a frame ------------------------------------------------------------------------------------------------ */
@@ -4672,25 +4677,25 @@ enum {
 /*
  * A frame being filled. Data that does not fit is omitted, and ev3_end then returns 0.
  *
- *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+ *   bytes  the frame, to be sent as it is; on USB it is filled up with zeros to 1024 bytes
  *   size   number of bytes so far
  *   full   nonzero once something did not fit or could not be encoded
  */
 typedef struct {
     uint8_t bytes[EV3_MAX_FRAME];
-    size_t size;
-    int full;
+    uint16_t size;
+    uint16_t full;
 } ev3_frame;
 
 /* Raw bytes */
 static inline void ev3_raw(ev3_frame *frame, const void *bytes, size_t count)
 {
-    if (count > EV3_MAX_FRAME - frame->size) {
+    if (count > (size_t)(EV3_MAX_FRAME - frame->size)) {
         frame->full = 1;
         return;
     }
     memcpy(frame->bytes + frame->size, bytes, count);
-    frame->size += count;
+    frame->size = (uint16_t)(frame->size + count);
 }
 
 /* A number of 1, 2 or 4 bytes without anything around it, as system commands have them */
@@ -4818,7 +4823,7 @@ static inline void ev3_operation(ev3_frame *frame, int opcode, int command)
 /* Writes the length field. Returns the bytes of the frame, 0 if something did not fit */
 static inline size_t ev3_end(ev3_frame *frame)
 {
-    const size_t length = frame->size - 2;
+    const size_t length = (size_t)(frame->size - 2);
     if (frame->full)
         return 0;
     frame->bytes[0] = EV3_BYTE(length, 0);

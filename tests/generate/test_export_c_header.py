@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 import subprocess
 from functools import cache
@@ -24,7 +25,7 @@ from ev3proto.testing import raw_operations
 HEADER = Path(__file__).parents[2] / "exports" / "ev3proto.h"
 GCC = ["gcc", "-std=c99", "-x", "c"]
 GXX = ["g++", "-std=c++11", "-x", "c++"]
-WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wshadow", "-Werror"]
+WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wpadded", "-Werror"]
 
 
 def run(program: str, folder: Path, compiler: list[str]) -> list[str]:
@@ -82,6 +83,32 @@ def test_the_frame_of_the_lesson(tmp_path: Path, compiler: list[str]) -> None:
 }}
 """
     assert run(program, tmp_path, compiler) == ["0e002a0080000094010182b80182e803"] * 2
+
+
+@pytest.mark.parametrize("compiler", [GCC, GXX])
+def test_a_small_buffer_for_a_small_processor(tmp_path: Path, compiler: list[str]) -> None:
+    """An ATmega has 2 kB of memory; a frame that does not fit is not sent."""
+    calls = "ev3_opcode(&frame, opUI_FLUSH); " * 9
+    program = f"""#define EV3_MAX_FRAME 16
+{HEAD}
+    ev3_frame frame;
+    printf("%d\\n", (int)sizeof frame);
+    ev3_begin_direct(&frame, 42, DIRECT_COMMAND_NO_REPLY, 0, 0);
+    {calls}
+    show(frame.bytes, ev3_end(&frame));
+    ev3_opcode(&frame, opUI_FLUSH);
+    printf("%d\\n", (int)ev3_end(&frame));
+    return 0;
+}}
+"""
+    assert run(program, tmp_path, compiler) == ["20", "0e002a00800000" + "80" * 9, "0"]
+
+
+def test_enumerators_fit_into_16_bits() -> None:
+    """As an int has them where the processor has 8; compilers warn of others."""
+    numbers = [int(number, 0) for number in re.findall(r"^    \w+ = (-?\w+),", HEADER.read_text(), re.MULTILINE)]
+    assert len(numbers) > 800
+    assert [number for number in numbers if not -32768 <= number <= 32767] == []
 
 
 def macro(argument: Argument) -> str:

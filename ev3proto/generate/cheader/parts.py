@@ -40,8 +40,13 @@ HEAD = """\
 FRAMES = """\
 /* Frames --------------------------------------------------------------------------------------------------------- */
 
-/* Bytes of the largest frame, its length field included, and of a report on USB */
+/*
+ * Bytes of the largest frame, its length field included, and of a report on USB. If memory is scarce, define a smaller
+ * even number before you include this file: an ev3_frame takes that many bytes and four.
+ */
+#ifndef EV3_MAX_FRAME
 #define EV3_MAX_FRAME $MAX_FRAME
+#endif
 
 /* TCP port on which a brick listens */
 #define EV3_TCP_PORT $TCP_PORT
@@ -100,25 +105,25 @@ FUNCTIONS = """\
 /*
  * A frame being filled. Data that does not fit is omitted, and ev3_end then returns 0.
  *
- *   bytes  the frame, to be sent as it is; on USB all of the array is sent
+ *   bytes  the frame, to be sent as it is; on USB it is filled up with zeros to $MAX_FRAME bytes
  *   size   number of bytes so far
  *   full   nonzero once something did not fit or could not be encoded
  */
 typedef struct {
     uint8_t bytes[EV3_MAX_FRAME];
-    size_t size;
-    int full;
+    uint16_t size;
+    uint16_t full;
 } ev3_frame;
 
 /* Raw bytes */
 static inline void ev3_raw(ev3_frame *frame, const void *bytes, size_t count)
 {
-    if (count > EV3_MAX_FRAME - frame->size) {
+    if (count > (size_t)(EV3_MAX_FRAME - frame->size)) {
         frame->full = 1;
         return;
     }
     memcpy(frame->bytes + frame->size, bytes, count);
-    frame->size += count;
+    frame->size = (uint16_t)(frame->size + count);
 }
 
 /* A number of 1, 2 or 4 bytes without anything around it, as system commands have them */
@@ -246,7 +251,7 @@ static inline void ev3_operation(ev3_frame *frame, int opcode, int command)
 /* Writes the length field. Returns the bytes of the frame, 0 if something did not fit */
 static inline size_t ev3_end(ev3_frame *frame)
 {
-    const size_t length = frame->size - $LENGTH_FIELD;
+    const size_t length = (size_t)(frame->size - $LENGTH_FIELD);
     if (frame->full)
         return 0;
     frame->bytes[0] = EV3_BYTE(length, 0);

@@ -16,8 +16,8 @@ from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
 
 WIDTH = 120
 INDENT = "    "
-LARGEST = 2**31 - 1
-"""Largest number that an enumerator of C99 can have."""
+LARGEST = 2**15 - 1
+"""Largest number of an enumerator that every compiler takes: an int has 16 bits where the processor has 8."""
 
 BOOTLOADER = "BOOTLOADER_"
 """Prefix of the bootloader's commands, which share names with the firmware's."""
@@ -168,11 +168,15 @@ def _daisy() -> Iterator[str]:
 
 def _constants() -> Iterator[str]:
     yield from heading("Constants", "Sizes, limits, folders, files and positions, as the firmware has them.")
-    numbers = {name: value for name, value in CONSTANTS.items() if isinstance(value, int)}
-    yield from _enum(((name, number, ()) for name, number in numbers.items() if number <= LARGEST), 0)
+    small = {name: value for name, value in CONSTANTS.items() if isinstance(value, int) and abs(value) <= LARGEST}
+    yield from _enum(((name, number, ()) for name, number in small.items()), 0)
     for name, value in CONSTANTS.items():
-        if isinstance(value, str):
-            yield f'#define {name} "{value}"'
-        elif value > LARGEST:
-            yield f"#define {name} 0x{value:X}u"
+        if name not in small:
+            yield f"#define {name} {_literal(value)}"
     yield ""
+
+
+def _literal(value: int | str) -> str:
+    if isinstance(value, str):
+        return f'"{value}"'
+    return f"0x{value:X}u" if value > LARGEST else f"({value})"

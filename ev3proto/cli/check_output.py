@@ -12,7 +12,7 @@ from ev3proto.checking.report import Finding, Fix, Report, Severity
 from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.errors import counted
 from ev3proto.text.diagnostics import diagnostics, fixed
-from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.spans import Role, Spans, plain_text
 
 if TYPE_CHECKING:
     from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
@@ -122,7 +122,7 @@ class TextOutput(Output):
         _complain_of_source(checked)
         if report is None:
             return
-        lines: Iterable[Line]
+        lines: Iterable[Spans]
         if checked.is_program:
             from ev3proto.program.report import ProgramReport, program_findings  # takes 8 ms, which frames do not need
 
@@ -145,7 +145,7 @@ class TextOutput(Output):
         if not (tally.frames or tally.programs) or (tally.is_one and not is_quiet):
             return
         found = ", ".join(counted(tally.findings[severity], severity) for severity in SEVERITIES)
-        line: Line = [(f"{tally.inputs}: ", Role.HEADING), (found, Role.PLAIN)]
+        line = [(f"{tally.inputs}: ", Role.HEADING), (found, Role.PLAIN)]
         if tally.replies:
             line.append((f"; {counted(tally.replies, 'frame')} from the brick not checked", Role.ASIDE))
         if self.is_edited:
@@ -153,7 +153,7 @@ class TextOutput(Output):
         else:
             self._paragraph([line], is_long=False)
 
-    def _paragraph(self, lines: Iterable[Line], *, is_long: bool) -> None:
+    def _paragraph(self, lines: Iterable[Spans], *, is_long: bool) -> None:
         """Prints lines that belong together, after an empty one if this or the last paragraph has several lines."""
         if self._was_long or (is_long and self._was_long is not None):
             self._printer.text("")

@@ -12,7 +12,7 @@ from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import ADDRESS_BIT, ENCODINGS, HANDLE_BIT
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.errors import ERRORS
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.spans import Role, Spans
 
 ENCODING, MODE = "identification byte", "mode of a sensor or motor"
 
@@ -34,7 +34,7 @@ class Entry:
     kind: str
     text: str
     searched: str
-    about: Callable[[], Iterator[Line]]
+    about: Callable[[], Iterator[Spans]]
     record: Callable[[], dict[str, Any]]
 
     @property
@@ -42,12 +42,12 @@ class Entry:
         """The texts that are searched: the name, the meaning, all else."""
         return self.name, f"{self.text} {self.kind}", self.searched
 
-    def line(self) -> Line:
+    def line(self) -> Spans:
         """Returns its line in a list."""
         name = f"{self.name} ({self.kind})" if self.kind else self.name
         return [(f"0x{self.number:02X} ", Role.ASIDE), (name.ljust(32), Role.OPERATION), (f" {self.text}", Role.PLAIN)]
 
-    def page(self) -> Iterator[Line]:
+    def page(self) -> Iterator[Spans]:
         """Yields the lines that show it in full."""
         yield [(self.name, Role.OPERATION), (f"  {self.text}", Role.PLAIN)]
         yield from self.about()
@@ -57,7 +57,7 @@ def named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) ->
     """Returns the entry of another name than that of an operation: a status, a message type, an encoding."""
     noted = list(notes)
 
-    def about() -> Iterator[Line]:
+    def about() -> Iterator[Spans]:
         yield [(f"  {kind} 0x{number:02X}", Role.ASIDE)]
         yield from ([(f"  {note}", Role.MEANING)] for note in noted)
 

@@ -20,7 +20,7 @@ from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Param
 from ev3proto.tables.encoding import ENCODINGS
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.spans import Role, Spans
 
 
 @click.command()
@@ -91,7 +91,7 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
     said = [f"{parameter.name} {parameter.text}" for parameter in entry.parameters]
     said += [" ".join(parameter.enum.members) for parameter in entry.parameters if parameter.enum is not None]
 
-    def about() -> Iterator[Line]:
+    def about() -> Iterator[Spans]:
         head = instruction_set(dialect)[entry.name].head
         numbers = f"opcode 0x{number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
         yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {area}", Role.ASIDE)]
@@ -127,7 +127,7 @@ def _system(entry: SystemCommand) -> Entry:
     """Returns the entry of a system command."""
     said = " ".join(f"{field.name} {field.text}" for field in entry.request + entry.reply)
 
-    def about() -> Iterator[Line]:
+    def about() -> Iterator[Spans]:
         kind = "command of the bootloader (USB only)" if entry.bootloader else "system command"
         yield [(f"  {kind} 0x{entry.number:02X}", Role.ASIDE)]
         yield from _fields("request", entry.request)
@@ -206,8 +206,8 @@ def _has(words: list[str], wanted: str) -> bool:
     return wanted in words or f"{wanted}s" in words
 
 
-def _parameter(parameter: Parameter) -> Iterator[Line]:
-    line: Line = [
+def _parameter(parameter: Parameter) -> Iterator[Spans]:
+    line: Spans = [
         ("  ", Role.PLAIN),
         (parameter.name.ljust(12), Role.NAME),
         (f" {parameter.direction!s:5} {parameter.type.label:12}", Role.VALUE),
@@ -248,7 +248,7 @@ def _parameter_record(parameter: Parameter) -> dict[str, Any]:
     return entry | {name: value for name, value in optional.items() if value or value == 0}
 
 
-def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Line]:
+def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Spans]:
     yield [(f"  {title}:" + ("" if fields else " no fields"), Role.PLAIN)]
     for field in fields:
         optional = " (may be absent)" if field.optional else ""

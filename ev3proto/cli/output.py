@@ -19,7 +19,7 @@ from typing import Any, BinaryIO, TextIO, TypeVar, cast
 import click
 
 from ev3proto.cli.options import FILE
-from ev3proto.text.spans import Line, Role, plain_text, visible, visible_lines
+from ev3proto.text.spans import Role, Spans, plain_text, visible, visible_lines
 from ev3proto.whole_files import whole_file
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -90,9 +90,9 @@ class Printer:
     def __init__(self, *, at_once: bool = False) -> None:
         self._at_once = at_once
         is_coloured = is_terminal() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
-        self._text: Callable[[Line], str] = _painted if is_coloured else plain_text
+        self._text: Callable[[Spans], str] = _painted if is_coloured else plain_text
 
-    def lines(self, lines: Iterable[Line]) -> None:
+    def lines(self, lines: Iterable[Spans]) -> None:
         """Prints lines that consist of styled pieces, many at a time."""
         self._written(f"{self._text(line)}\n" for line in lines)
 
@@ -110,7 +110,7 @@ class Printer:
         _write(f"{visible(text)}\n", at_once=self._at_once)
 
 
-def _painted(line: Line) -> str:
+def _painted(line: Spans) -> str:
     """Returns a line with its colours as escape sequences."""
     return "".join(
         click.style(visible(text), **STYLES[role]) if role in STYLES else visible(text) for text, role in line

@@ -18,7 +18,7 @@ from ev3proto.program.sources import MAX_SOURCE
 from ev3proto.program.writing import source_lines
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.phrases import NOTATIONS
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.spans import Role, Spans
 
 _MOST_WARNINGS = 20
 _MOST_OF_A_NAME = 200
@@ -49,7 +49,7 @@ def show_program(
         printer.lines(program_tree(program) if style == "tree" else listing(program))
 
 
-def _source(program: Program) -> Iterator[Line]:
+def _source(program: Program) -> Iterator[Spans]:
     """Yields the source of a program; of one that was read in part only, the listing as comments."""
     if program.fault is None:
         return ([(line, Role.PLAIN)] for line in source_lines(program))

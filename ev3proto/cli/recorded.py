@@ -14,7 +14,7 @@ from ev3proto.cli.show import Show
 from ev3proto.temporary import temporary_folder
 from ev3proto.text.json_format.from_messages import record as message_record
 from ev3proto.text.phrases import Seen, dialogue_line, origin
-from ev3proto.text.spans import Line, Role, visible
+from ev3proto.text.spans import Role, Spans, visible
 
 
 def show_capture(show: Show, capture: CaptureSource, *, as_dialogues: bool) -> Iterator[Record]:
@@ -105,7 +105,7 @@ class Dialogues:
             self._place = place
             self._show.aside([(place, Role.HEADING)])
         time = elapsed(first.time_ns, start_ns) if route.is_timed else ""
-        line: Line = [(f"{time:>12} ", Role.ASIDE), (f"#{first.number} ".rjust(7), Role.ASIDE)]
+        line: Spans = [(f"{time:>12} ", Role.ASIDE), (f"#{first.number} ".rjust(7), Role.ASIDE)]
         line += dialogue_line(
             None if pair.command is None else pair.command.message,
             None if reply is None else reply.exchange,

@@ -10,7 +10,7 @@ from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import NOTATIONS, Seen, heading, spaced_hex
-from ev3proto.text.spans import Line, plain_text
+from ev3proto.text.spans import Spans, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 
@@ -65,14 +65,14 @@ class Show:
         self.count += 1
         self._printer.text(_encode(entry))
 
-    def line(self, line: Line) -> None:
+    def line(self, line: Spans) -> None:
         """Shows a message on one line."""
         if self.count and self._style == "table":
             self._printer.text("")
         self.count += 1
         self.aside(line)
 
-    def aside(self, line: Line) -> None:
+    def aside(self, line: Spans) -> None:
         """Shows a line between messages; in assembly, which can be read back, a comment."""
         if self._style in NOTATIONS:
             self._printer.text(f"// {plain_text(line).lstrip()}")

@@ -11,6 +11,7 @@ from typing import Any
 
 from ev3proto.errors import counted
 from ev3proto.messages import Operation
+from ev3proto.program.header import IMAGE_HEADER
 from ev3proto.program.image import Program
 from ev3proto.program.objects import CodeObject
 from ev3proto.program.writing import ObjectCode, Writer
@@ -33,7 +34,7 @@ def listing(program: Program) -> Iterator[Line]:
     writer = Writer(program)
     yield from _head(program)
     for code, name in zip(writer.codes, writer.names, strict=True):
-        yield []
+        yield Line()
         yield from _object_head(code.part, name)
         writer.begin(code)
         if code.part.shares is not None:
@@ -41,7 +42,7 @@ def listing(program: Program) -> Iterator[Line]:
         for operation in code.part.operations:
             label = writer.label_at(operation.offset)
             if label is not None:
-                yield [(f"  {label}:", Role.NAME)]
+                yield Line([(f"  {label}:", Role.NAME)])
             yield _step(operation, writer.step(operation) if operation.is_complete else f"{operation.name} ...")
         yield from _rest(code)
     yield from _faults(program)
@@ -52,7 +53,7 @@ def program_tree(program: Program) -> Iterator[Line]:
     names = Writer(program).names
     yield from _head(program)
     for part, name in zip(program.objects, names, strict=True):
-        yield []
+        yield Line()
         yield from _object_head(part, name)
         if part.shares is None:
             for operation in part.operations:
@@ -75,17 +76,18 @@ def called_by(part: CodeObject) -> list[int]:
 def _head(program: Program) -> Iterator[Line]:
     writer = VERSIONS.get(program.version)
     by = f" ({writer})" if writer else ""
-    yield [
+    spans = [
         ("program", Role.HEADING),
         (f"  version 0x{program.version:02X}{by}, {counted(len(program.objects), 'object')},", Role.PLAIN),
         (f" {counted(program.global_size, 'byte')} of globals", Role.PLAIN),
     ]
+    yield Line(spans, 0, IMAGE_HEADER.sizeof())
     if program.defects.headers is not None:
-        yield [("headers that say offset 0 mean the code that is next", Role.ASIDE)]
+        yield Line([("headers that say offset 0 mean the code that is next", Role.ASIDE)])
 
 
 def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
-    line: Line = [(f"object {part.number}", Role.HEADING), (f"  {part.kind} {name}", Role.OPERATION)]
+    line = Line([(f"object {part.number}", Role.HEADING), (f"  {part.kind} {name}", Role.OPERATION)])
     line.append((f" at {part.offset}, {counted(part.local_size, 'byte')} of locals", Role.PLAIN))
     if part.owner:
         line.append((f", of object {part.owner}", Role.PLAIN))
@@ -93,25 +95,28 @@ def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
         line.append((f", waits for {counted(part.triggers, 'trigger')}", Role.PLAIN))
     yield line
     if part.shares is not None:
-        yield [(f"  its code is that of object {part.shares}", Role.ASIDE)]
+        yield Line([(f"  its code is that of object {part.shares}", Role.ASIDE)])
         return
     for number, (parameter, place) in enumerate(zip(part.parameters, part.places, strict=True)):
         way = {Direction.IN: "in", Direction.OUT: "out", Direction.INOUT: "in and out"}[parameter.direction]
         size = "" if parameter.size is None else f" of {counted(parameter.size, 'byte')}"
-        yield [
-            (f"  p{number}", Role.NAME),
-            (f"  {way}, {parameter.type}{size}", Role.PLAIN),
-            (f", local {place.offset}", Role.ASIDE),
-        ]
+        yield Line(
+            [
+                (f"  p{number}", Role.NAME),
+                (f"  {way}, {parameter.type}{size}", Role.PLAIN),
+                (f", local {place.offset}", Role.ASIDE),
+            ]
+        )
     calls = called_by(part)
     if calls:
         shown = ", ".join(str(number) for number in calls[:_MOST_NAMED]) + (", ..." if len(calls) > _MOST_NAMED else "")
-        yield [(f"  calls {shown}", Role.ASIDE)]
+        yield Line([(f"  calls {shown}", Role.ASIDE)])
 
 
 def _step(operation: Operation, text: str) -> Line:
     name, _, arguments = text.partition("(")
-    line: Line = [(f"  {operation.offset:5}  ", Role.ASIDE), (name, Role.OPERATION)]
+    spans = [(f"  {operation.offset:5}  ", Role.ASIDE), (name, Role.OPERATION)]
+    line = Line(spans, operation.offset, operation.length, target=operation.full_name)
     if arguments:
         line.append((f"({arguments}", Role.PLAIN))
     return line
@@ -122,12 +127,12 @@ def _rest(code: ObjectCode) -> Iterator[Line]:
     if rest:
         shown = spaced_hex(rest[:_MOST_REST]) + (" ..." if len(rest) > _MOST_REST else "")
         what = "not read" if code.part.fault is not None else "after the end"
-        yield [(f"         {what}: ", Role.ASIDE), (shown, Role.PLAIN)]
+        yield Line([(f"         {what}: ", Role.ASIDE), (shown, Role.PLAIN)])
 
 
 def _faults(program: Program) -> Iterator[Line]:
     for fault in program.faults:
-        yield [(f"fault at {fault}", Role.FAULT)]
+        yield Line([(f"fault at {fault}", Role.FAULT)])
 
 
 def program_json(program: Program, size: int, origin: str | None = None) -> Iterator[str]:

@@ -34,14 +34,16 @@ class ProgramReport(Report):
 def program_findings(report: ProgramReport, findings: Iterable[Finding], place: str = "") -> Iterator[Line]:
     """Yields two lines for each finding, and one for the verdict; `place` precedes each offset."""
     for finding in findings:
-        yield [
+        spans = [
             (f"{finding.severity}[{finding.code}]", ROLES[finding.severity]),
             (f": {place}offset {finding.offset}: {finding.message}", Role.PLAIN),
         ]
-        yield [(f"  help: {finding.help}", Role.ASIDE)]
+        for shown in (spans, [(f"  help: {finding.help}", Role.ASIDE)]):
+            yield Line(shown, finding.offset, finding.length, finding.code)
     if report.omitted:
-        yield [(f"{place}and {report.omitted} more findings, which are not listed", Role.ASIDE)]
+        yield Line([(f"{place}and {report.omitted} more findings, which are not listed", Role.ASIDE)])
     if report.accepted:
-        yield [(f"{place}the brick takes the program", Role.HEADING)]
+        verdict = (f"{place}the brick takes the program", Role.HEADING)
     else:
-        yield [(f"{place}the brick refuses the program at offset {report.rejected_at}", Role.FAULT)]
+        verdict = (f"{place}the brick refuses the program at offset {report.rejected_at}", Role.FAULT)
+    yield Line([verdict], 0, len(report.frame))

@@ -26,7 +26,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
 from ev3proto.text.assembly import operation_line
 from ev3proto.text.phrases import argument_meaning, argument_value, command_spans, spaced_hex
-from ev3proto.text.spans import Line, Role, Span, plain_text
+from ev3proto.text.spans import Line, Role, Span, Spans, plain_text
 
 ROW = 16
 """Bytes in one row."""
@@ -53,16 +53,16 @@ class Excerpt:
         self._width = 2 + len(str(max(len(frame) - 1, 10)))
         self.margin = " " * self._width
 
-    def show(self, finding: Finding, role: str) -> list[Line]:
+    def show(self, finding: Finding, role: str) -> list[Spans]:
         """Returns the rows with a finding's bytes underlined, and the meaning of the bytes and of their operation."""
-        lines: list[Line] = [[(f"{self.margin} |", Role.ASIDE)], *self._rows(finding, role)] if self._size else []
+        lines: list[Spans] = [[(f"{self.margin} |", Role.ASIDE)], *self._rows(finding, role)] if self._size else []
         text = self._decoded(finding)
         if text:
             lines.append([(f"{self.margin} = {text}", Role.ASIDE)])
         return lines
 
-    def _rows(self, finding: Finding, role: str) -> list[Line]:
-        lines: list[Line] = []
+    def _rows(self, finding: Finding, role: str) -> list[Spans]:
+        lines: list[Spans] = []
         size, start = self._size, min(finding.offset, self._size)
         end = start + (finding.length or 1)
         # A span after the last byte is shown where the next byte would be.
@@ -78,20 +78,20 @@ class Excerpt:
             lines += self._row(number * ROW, start, end, role, self._label(finding) if number == last else "")
         return lines
 
-    def _row(self, row: int, start: int, end: int, role: str, label: str) -> tuple[Line, Line]:
+    def _row(self, row: int, start: int, end: int, role: str, label: str) -> tuple[Spans, Spans]:
         """Yields a row of bytes, and the line under a span of it."""
         digits, stop = self._hex, _BYTE * (row + ROW)
         # Bytes missing after a full row are marked after that row.
         first, after = _BYTE * max(start, row), _BYTE * min(end, row + ROW)
         marks = "^" * (max(after - first, _BYTE) - 1)
-        row_line: Line = [
+        row_line = [
             # The plus keeps readers of pasted frames from taking the row for one.
             (f"{f'+{row}'.rjust(self._width)} |", Role.ASIDE),
             (digits[_BYTE * row : min(first, stop)], Role.PLAIN),
             (digits[first:after], role),
             (digits[max(after, first) : stop], Role.PLAIN),
         ]
-        under: Line = [
+        under = [
             (f"{self.margin} |", Role.ASIDE),
             (" " * (first - _BYTE * row + 1), Role.PLAIN),
             (marks, role),
@@ -203,33 +203,32 @@ def diagnostics(
 ) -> Iterator[Line]:
     """Yields the verdict, then every finding with its bytes; `place` is shown in front of every offset."""
     shown = report.findings if findings is None else findings
-    where: Line = [(f"{place}: ", Role.HEADING)] if place else []
+    where = [(f"{place}: ", Role.HEADING)] if place else []
     if report.accepted and not report.findings:
-        yield [*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)]
+        yield Line([*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)], 0, len(report.frame))
         return
     hidden = len(report.findings) - len(shown)
-    yield [
+    verdict = [
         *where,
         (_verdict(report), Role.NAME if report.accepted else Role.FAULT),
         (f"; {tally(report.findings)}", Role.PLAIN),
         (f" ({hidden} not shown)" if hidden else "", Role.ASIDE),
     ]
+    yield Line(verdict, 0, len(report.frame))
     if not shown:
         return
     excerpt = Excerpt(report.frame, dialect)
     kept, left = _without_repetitions(shown)
     for _, together in groupby(kept, attrgetter("offset", "length")):
-        yield []
+        yield Line()
         yield from _on_one_span(list(together), excerpt, place)
     if left:
-        yield []
+        yield Line()
     for alike in left:
         offsets = ", ".join(str(finding.offset) for finding in alike[:_MOST_OFFSETS])
         more = ", ..." if len(alike) > _MOST_OFFSETS else ""
-        yield [
-            _mark(alike[0]),
-            (f": and {len(alike)} more of these, at offsets {offsets}{more}", Role.PLAIN),
-        ]
+        said = f": and {len(alike)} more of these, at offsets {offsets}{more}"
+        yield Line([_mark(alike[0]), (said, Role.PLAIN)], code=alike[0].code)
 
 
 def fixed(
@@ -245,24 +244,21 @@ def fixed(
     findings, place  as for `diagnostics`
     is_written       False for a frame in a text that stays as it was
     """
-    line: Line = [(f"{place}: ", Role.HEADING)] if place else []
+    line = Line([(f"{place}: ", Role.HEADING)] if place else [])
     count = len(fix.changes)
     if count:
         line.append((f"{'' if is_written else 'could be '}fixed in {counted(count, 'place')}", Role.NAME))
     else:
         line.append(("nothing could be fixed" if fix.report.findings else "nothing to fix", Role.PLAIN))
     yield line
-    yield [(grouped_hex(fix.frame, dialect), Role.HEADING)]
+    yield Line([(grouped_hex(fix.frame, dialect), Role.HEADING)])
     if not is_written:
-        yield [("  the text is unchanged here: its notation cannot be edited", Role.FAULT)]
+        yield Line([("  the text is unchanged here: its notation cannot be edited", Role.FAULT)])
     for change in fix.changes:
-        yield [
-            (f"  {change.what}: ", Role.NAME),
-            (f"{change.before} -> {change.after}", Role.VALUE),
-            (f" ({change.why})", Role.ASIDE),
-        ]
+        edit = f"{change.before} -> {change.after}"
+        yield Line([(f"  {change.what}: ", Role.NAME), (edit, Role.VALUE), (f" ({change.why})", Role.ASIDE)])
     for reason in fix.unfixed:
-        yield [("  not fixed: ", Role.FAULT), (reason, Role.PLAIN)]
+        yield Line([("  not fixed: ", Role.FAULT), (reason, Role.PLAIN)])
     if count:
         place = f"{place}, fixed" if place else "fixed"
     yield from diagnostics(fix.report, findings, place=place, dialect=dialect)
@@ -270,19 +266,16 @@ def fixed(
 
 def explanation(code: Code, found: Iterable[Line], shown: Callable[[bytes], str]) -> Iterator[Line]:
     """Yields the explanation of a code, with its examples as `shown` writes bytes, and what is found in the first."""
-    yield [
-        (f"{code.severity}[{code.code}]", ROLES[code.severity]),
-        (f": {code.title}", Role.HEADING),
-    ]
-    yield []
+    yield Line([(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)])
+    yield Line()
     for paragraph in code.explanation.split("\n\n"):
         for text in wrap(" ".join(paragraph.split()), _TEXT_WIDTH):
-            yield [(text, Role.PLAIN)]
-        yield []
-    yield [("example: ", Role.ASIDE), (shown(code.example), Role.VALUE)]
+            yield Line([(text, Role.PLAIN)])
+        yield Line()
+    yield Line([("example: ", Role.ASIDE), (shown(code.example), Role.VALUE)])
     yield from found
-    yield []
-    yield [("without it: ", Role.ASIDE), (shown(code.counterexample), Role.VALUE)]
+    yield Line()
+    yield Line([("without it: ", Role.ASIDE), (shown(code.counterexample), Role.VALUE)])
 
 
 def grouped_hex(frame: bytes, dialect: str = "official") -> str:
@@ -321,19 +314,24 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
 
 def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:
     """Yields the findings of one span. Help that several of them share is given once."""
-    lines: list[Line] = [[_mark(finding), (f": {finding.message}", Role.HEADING)] for finding in findings]
     first = findings[0]
+    offset, length = first.offset, first.length
+    lines = [
+        Line([_mark(finding), (f": {finding.message}", Role.HEADING)], offset, length, finding.code)
+        for finding in findings
+    ]
     about = " of ".join(filter(None, (first.parameter, first.operation)))
     where = f"offset {first.offset}{f', {about}' if about else ''}"
-    lines.append([(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)])
+    arrow = [(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)]
     worst = min((finding.severity for finding in findings), key=_WORST.index)
-    lines += excerpt.show(first, ROLES[worst])
+    lines += [Line(spans, offset, length, first.code) for spans in (arrow, *excerpt.show(first, ROLES[worst]))]
     helps: dict[str, str] = {}
     for finding in findings:
         helps.setdefault(finding.help, finding.code)
     for help_, code in helps.items():
         word = f"help for {code}: " if len(helps) > 1 else "help: "
-        lines.append([(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)])
+        spans = [(f"{excerpt.margin} = ", Role.ASIDE), (word, Role.OPERATION), (help_, Role.PLAIN)]
+        lines.append(Line(spans, offset, length, code))
     return lines
 
 

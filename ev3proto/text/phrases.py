@@ -26,7 +26,7 @@ from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.mailboxes import Reading
 from ev3proto.tables.system import status_meaning
-from ev3proto.text.spans import Line, Role
+from ev3proto.text.spans import Role, Spans
 
 _LETTERS = {LOCAL: "L", GLOBAL: "G"}
 _encode = json.JSONEncoder(ensure_ascii=False).encode
@@ -150,9 +150,9 @@ class Seen(NamedTuple):
     unknown: frozenset[int] = frozenset()  # the offsets of bytes that a text did not give, and which were read as zero
 
 
-def origin(seen: Seen) -> Line:
+def origin(seen: Seen) -> Spans:
     """Returns the text in front of a message: `0.011558 #12 usb 1.7 sent `."""
-    line: Line = []
+    line: Spans = []
     if seen.time:
         line.append((f"{seen.time} ", Role.ASIDE))
     if seen.packets:
@@ -169,7 +169,7 @@ def packets_text(numbers: tuple[int, ...]) -> str:
     return f"#{numbers[0]}" if len(numbers) == 1 else f"#{'+'.join(map(str, numbers))}"
 
 
-def heading(exchange: Exchange, seen: Seen) -> Line:
+def heading(exchange: Exchange, seen: Seen) -> Spans:
     """Returns `09:12:31.011558 sent DIRECT_COMMAND_REPLY, counter 42, 16 bytes`; replies add command and result."""
     message = exchange.message
     line = origin(seen)
@@ -188,9 +188,9 @@ def heading(exchange: Exchange, seen: Seen) -> Line:
     return line
 
 
-def _what(exchange: Exchange) -> Line:
+def _what(exchange: Exchange) -> Spans:
     message = exchange.message
-    line: Line = []
+    line: Spans = []
     if isinstance(message, SystemCommand | SystemReply | DaisyCommand):
         line += [(": ", Role.PLAIN), (command_name(message), Role.OPERATION)]
         if isinstance(message, SystemReply):
@@ -209,9 +209,9 @@ _MOST_VALUES = 16
 _MOST_TEXT = 60
 
 
-def command_spans(message: Message) -> Line:
+def command_spans(message: Message) -> Spans:
     """Returns what a command asks for: its operations with their arguments, or its fields."""
-    line: Line = []
+    line: Spans = []
     if isinstance(message, DirectCommand):
         line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
     elif isinstance(message, SystemCommand):
@@ -229,7 +229,7 @@ def command_spans(message: Message) -> Line:
     return line
 
 
-def reply_spans(exchange: Exchange) -> Line:
+def reply_spans(exchange: Exchange) -> Spans:
     """Returns what a reply says: its values, or whether the command succeeded."""
     message = exchange.message
     if message.fault is not None:
@@ -238,14 +238,14 @@ def reply_spans(exchange: Exchange) -> Line:
         return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
         meaning = status_meaning(message.number, message.status_code) if message.is_error else None
-        said: Line = [(f" ({meaning})", Role.MEANING)] if meaning else []
+        said: Spans = [(f" ({meaning})", Role.MEANING)] if meaning else []
         return [(status_name(message), Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
     if message.type is not None and message.type.is_error:
         reason = _refusal(exchange.request)
         return [("error", Role.FAULT), *([(f" ({reason})", Role.MEANING)] if reason else [])]
     if not exchange.values:
         return [("ok", Role.VALUE)]
-    line: Line = []
+    line: Spans = []
     for number, value in enumerate(exchange.values[:_MOST_VALUES]):
         line += [(", ", Role.PLAIN)] if number else []
         line += _value(value)
@@ -267,9 +267,9 @@ def _refusal(command: Message | None) -> str | None:
     return f"{errors[0].code}: {errors[0].message}" if errors else None
 
 
-def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Line:
+def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Spans:
     """Returns a command and its reply, either of which may be missing, with the seconds between them."""
-    line: Line = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
+    line: Spans = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
     if reply is not None:
         line += [(" -> ", Role.PLAIN), *reply_spans(reply)]
         if latency is not None:
@@ -279,8 +279,8 @@ def dialogue_line(command: Message | None, reply: Exchange | None, latency: floa
     return line
 
 
-def _operations(operations: tuple[Operation, ...]) -> Line:
-    line: Line = []
+def _operations(operations: tuple[Operation, ...]) -> Spans:
+    line: Spans = []
     for number, operation in enumerate(operations[:_MOST_OPERATIONS]):
         line += [("; ", Role.PLAIN)] if number else []
         line += _operation(operation)
@@ -289,8 +289,8 @@ def _operations(operations: tuple[Operation, ...]) -> Line:
     return line
 
 
-def _operation(operation: Operation) -> Line:
-    line: Line = [(operation.full_name, Role.OPERATION)]
+def _operation(operation: Operation) -> Spans:
+    line: Spans = [(operation.full_name, Role.OPERATION)]
     arguments = operation.arguments
     if not arguments:
         return line
@@ -305,12 +305,12 @@ def _argument(argument: Argument) -> str:
     return argument.symbol or _short(argument_value(argument))
 
 
-def _value(value: Value) -> Line:
+def _value(value: Value) -> Spans:
     return [(f"{value.name}=", Role.NAME), (_short(value_text(value)), Role.VALUE)]
 
 
-def _fields(message: SystemCommand | SystemReply) -> Line:
-    line: Line = []
+def _fields(message: SystemCommand | SystemReply) -> Spans:
+    line: Spans = []
     for name, text, meaning in field_texts(message):
         line += [(f" {name}=", Role.NAME), (_short(text), Role.VALUE)]
         if meaning:

@@ -1,5 +1,7 @@
 r"""Lines of pieces with roles, so that a terminal can colour them and a pipe gets plain text.
 
+A line also knows what it is about: the bytes of the frame, the code of a finding, the entry of the reference.
+
 Everything printed passes here. Characters from outside that could steer a terminal are written as `\u001b`: control
 characters (C0, DEL, C1), line and paragraph separators, and marks that change the direction of writing can hide text or
 make a terminal act. Tags and other invisible format characters can hide a text within another. Lone surrogates and
@@ -49,7 +51,30 @@ class Role:
 
 
 Span = tuple[str, str]
-Line = list[Span]
+Spans = list[Span]
+
+
+class Line(Spans):
+    """The pieces of a line, and what it is about.
+
+    offset  of the first byte in the frame or program; None for a line about no bytes
+    length  number of bytes
+    code    of the finding, such as `E301`
+    target  the operation that the reference explains, such as `SOUND.TONE`
+    """
+
+    __slots__ = ("code", "length", "offset", "target")
+
+    def __init__(
+        self, spans: Iterable[Span] = (), offset: int | None = None, length: int = 0, code: str = "", target: str = ""
+    ) -> None:
+        super().__init__(spans)
+        self.offset = offset
+        self.length = length
+        self.code = code
+        self.target = target
+
+
 _TEXT = itemgetter(0)
 
 

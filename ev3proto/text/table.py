@@ -60,18 +60,19 @@ class Cell:
 
 def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     """Yields the lines of one message: a heading, then one or more bands of cells."""
-    yield heading(exchange, seen)
+    yield Line(heading(exchange, seen))
     message = exchange.message
     for number, band in enumerate(_bands(list(_cells(message)))):
         yield from _draw(band, first=number == 0)
     for value in exchange.values if isinstance(message, DirectReply) else ():
-        yield [(f"{value.full_name} {value.name} = {value_text(value)}", Role.VALUE)]
+        spans = [(f"{value.full_name} {value.name} = {value_text(value)}", Role.VALUE)]
+        yield Line(spans, value.offset, value.length, target=value.full_name)
     if isinstance(message, SystemCommand):
         for name, _, meaning in field_texts(message):
             if meaning:
-                yield [(f"{message.command} {name} = {meaning}", Role.VALUE)]
+                yield Line([(f"{message.command} {name} = {meaning}", Role.VALUE)])
     if message.fault is not None and not (seen.cut and message.fault.truncated):
-        yield [(f"fault at {message.fault}", Role.FAULT)]
+        yield Line([(f"fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
 
 
 def _bands(cells: list[Cell]) -> Iterator[list[Cell]]:
@@ -88,18 +89,18 @@ def _bands(cells: list[Cell]) -> Iterator[list[Cell]]:
 
 
 def _draw(cells: list[Cell], first: bool) -> list[Line]:
-    rule: Line = [("-" * (3 + sum([cell.width + 1 for cell in cells])), Role.ASIDE)]
+    rule = Line([("-" * (3 + sum([cell.width + 1 for cell in cells])), Role.ASIDE)])
     labels = "".join([f"{cell.label.ljust(cell.width)}\\" for cell in cells])
     digits = "".join([f"{cell.hex.ljust(cell.width)}|" for cell in cells])
     height = max([len(cell.rows) for cell in cells])
     columns = [cell.rows + [" " * cell.width] * (height - len(cell.rows)) for cell in cells]
     return [
         rule,
-        [(f"  \\{labels}", Role.NAME)],
+        Line([(f"  \\{labels}", Role.NAME)]),
         rule,
-        [(f"{'0x' if first else '  '}|{digits}", Role.HEADING)],
+        Line([(f"{'0x' if first else '  '}|{digits}", Role.HEADING)]),
         rule,
-        *[[("  \\" + "\\".join(pieces) + "\\", Role.VALUE)] for pieces in zip(*columns, strict=True)],
+        *[Line([("  \\" + "\\".join(pieces) + "\\", Role.VALUE)]) for pieces in zip(*columns, strict=True)],
         rule,
     ]
 

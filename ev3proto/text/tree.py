@@ -17,6 +17,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, STRING_CODING, TEXT
@@ -38,13 +39,14 @@ _MOST_REST = 32
 
 def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
     """Yields the lines of one message."""
-    yield heading(exchange, seen)
     message = exchange.message
+    size = len(message.build() if seen.frame is None else seen.frame)
+    yield Line(heading(exchange, seen), 0, size)
     match message:
         case DirectCommand():
             if message.global_size or message.local_size:
                 sizes = f"{message.global_size} bytes global, {message.local_size} bytes local"
-                yield [(f"  memory: {sizes}", Role.ASIDE)]
+                yield Line([(f"  memory: {sizes}", Role.ASIDE)], HEADER_SIZE, MEMORY_SIZE)
             for operation in message.operations:
                 yield from operation_lines(operation, seen.unknown)
         case DirectReply():
@@ -53,21 +55,22 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
             yield from _system(message, exchange.transfer, seen.unknown)
         case DaisyCommand() | DaisyReply():
             yield from _daisy(message)
-    yield from _fault(message, seen.cut)
+    yield from _fault(message, size, seen.cut)
 
 
 def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset()) -> list[Line]:
     """Yields the lines of one operation: its name, and each argument with its encoding and meaning."""
-    lines: list[Line] = [
-        [
-            (f"  {operation.offset:4}  ", Role.ASIDE),
-            (operation.full_name, Role.OPERATION),
-            (f"  {operation.declaration.text}", Role.ASIDE),
-        ]
+    name = operation.full_name
+    spans = [
+        (f"  {operation.offset:4}  ", Role.ASIDE),
+        (name, Role.OPERATION),
+        (f"  {operation.declaration.text}", Role.ASIDE),
     ]
+    lines = [Line(spans, operation.offset, operation.length, target=name)]
     cmd = operation.cmd if operation.is_complete else None
     if cmd is not None and cmd.length > 1:
-        lines.append([(f"  {cmd.offset:4}    CMD = {cmd.value}", Role.PLAIN), (f"  {cmd.encoding}", Role.ASIDE)])
+        spans = [(f"  {cmd.offset:4}    CMD = {cmd.value}", Role.PLAIN), (f"  {cmd.encoding}", Role.ASIDE)]
+        lines.append(Line(spans, cmd.offset, cmd.length))
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
     for argument in arguments:
@@ -77,16 +80,15 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
             value, meaning = "?", ""
         else:
             value = argument_value(argument)
-        lines.append(
-            [
-                (f"  {str(offset).rjust(4)}    ", Role.ASIDE),  # in half the time of {offset:4}
-                (parameter.name.ljust(width), Role.NAME),
-                (" = ", Role.PLAIN),
-                (value, Role.VALUE),
-                (f" {meaning}" if meaning else "", Role.MEANING),
-                (f"  {_encoding(argument)}: {parameter.text}", Role.ASIDE),
-            ]
-        )
+        spans = [
+            (f"  {str(offset).rjust(4)}    ", Role.ASIDE),  # in half the time of {offset:4}
+            (parameter.name.ljust(width), Role.NAME),
+            (" = ", Role.PLAIN),
+            (value, Role.VALUE),
+            (f" {meaning}" if meaning else "", Role.MEANING),
+            (f"  {_encoding(argument)}: {parameter.text}", Role.ASIDE),
+        ]
+        lines.append(Line(spans, offset, argument.length))
     return lines
 
 
@@ -101,7 +103,7 @@ def _values(exchange: Exchange) -> Iterator[Line]:
     message = exchange.message
     assert isinstance(message, DirectReply)
     for value in exchange.values:
-        yield [
+        spans = [
             (f"  {value.offset:4}  ", Role.ASIDE),
             (value.full_name, Role.OPERATION),
             (f" {value.name}", Role.NAME),
@@ -109,30 +111,34 @@ def _values(exchange: Exchange) -> Iterator[Line]:
             (value_text(value), Role.VALUE),
             (f"  {value.type}", Role.ASIDE),
         ]
+        yield Line(spans, value.offset, value.length, target=value.full_name)
     if message.memory and not exchange.values:
-        yield [(f"     5  global memory: {spaced_hex(message.memory)}", Role.PLAIN)]
+        shown = f"  {HEADER_SIZE:4}  global memory: {spaced_hex(message.memory)}"
+        yield Line([(shown, Role.PLAIN)], HEADER_SIZE, len(message.memory))
 
 
 def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unknown: frozenset[int]) -> Iterator[Line]:
     entry = SYSTEM_BY_NUMBER.get(message.number)
     if entry is not None and isinstance(message, SystemCommand):
-        yield [(f"        {entry.text}", Role.ASIDE)]
+        yield Line([(f"        {entry.text}", Role.ASIDE)])
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
-        yield [(f"        {meaning}", Role.MEANING)]
+        yield Line([(f"        {meaning}", Role.MEANING)])
     width = max((len(name) for name in message.fields), default=0)
     hidden = _unknown_fields(message, unknown) if unknown else frozenset()
     for name, value, meaning in field_texts(message):
-        yield [
-            ("        ", Role.PLAIN),
-            (name.ljust(width), Role.NAME),
-            (" = ", Role.PLAIN),
-            ("?" if name in hidden else value, Role.VALUE),
-            (f"  {meaning}" if meaning else "", Role.MEANING),
-        ]
+        yield Line(
+            [
+                ("        ", Role.PLAIN),
+                (name.ljust(width), Role.NAME),
+                (" = ", Role.PLAIN),
+                ("?" if name in hidden else value, Role.VALUE),
+                (f"  {meaning}" if meaning else "", Role.MEANING),
+            ]
+        )
     if transfer is not None and transfer.path:
         of = "an unknown number of" if transfer.size is None else str(transfer.size)
         progress = f"{transfer.transferred} of {of} bytes"
-        yield [("        ", Role.PLAIN), (f"{plain(transfer.path)}: {progress}", Role.MEANING)]
+        yield Line([("        ", Role.PLAIN), (f"{plain(transfer.path)}: {progress}", Role.MEANING)])
 
 
 def _unknown_fields(message: SystemCommand | SystemReply, unknown: frozenset[int]) -> frozenset[str]:
@@ -148,33 +154,29 @@ def _unknown_fields(message: SystemCommand | SystemReply, unknown: frozenset[int
 
 def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:
     if isinstance(message, DaisyCommand) and message.command is not None:
-        yield [(f"        {DAISY_TEXTS[DaisySubCommand[message.command]]}", Role.ASIDE)]
-    yield [(f"        from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN)]
+        yield Line([(f"        {DAISY_TEXTS[DaisySubCommand[message.command]]}", Role.ASIDE)])
+    yield Line([(f"        from layer {message.layer_from} to layer {message.layer_to}", Role.PLAIN)])
     if isinstance(message, DaisyCommand) and message.operations:
         for operation in message.operations:
             yield from operation_lines(operation)
     elif isinstance(message, DaisyReply) and message.report is not None:
         report = message.report
-        yield [
-            (
-                f"        layer {report.layer} port {report.port}: type {report.type} mode {report.mode}"
-                f" status {report.status}",
-                Role.VALUE,
-            )
-        ]
-        yield [(f"        data {plain(report.data)}", Role.PLAIN)]
+        said = f"layer {report.layer} port {report.port}: type {report.type} mode {report.mode} status {report.status}"
+        yield Line([(f"        {said}", Role.VALUE)])
+        yield Line([(f"        data {plain(report.data)}", Role.PLAIN)])
     elif message.payload:
-        yield [(f"        payload {plain(message.payload)}", Role.PLAIN)]
+        yield Line([(f"        payload {plain(message.payload)}", Role.PLAIN)])
 
 
-def _fault(message: Message, cut: bool) -> Iterator[Line]:
+def _fault(message: Message, size: int, cut: bool) -> Iterator[Line]:
     if message.fault is None:
         return
     if message.rest:
         shown = spaced_hex(message.rest[:_MOST_REST]) + (" ..." if len(message.rest) > _MOST_REST else "")
-        yield [("        not read: ", Role.ASIDE), (shown, Role.PLAIN), (_letters(message.rest), Role.MEANING)]
+        spans = [("        not read: ", Role.ASIDE), (shown, Role.PLAIN), (_letters(message.rest), Role.MEANING)]
+        yield Line(spans, size - len(message.rest), len(message.rest))
     if not (cut and message.fault.truncated):
-        yield [(f"  fault at {message.fault}", Role.FAULT)]
+        yield Line([(f"  fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
 
 
 def _letters(rest: bytes) -> str:

@@ -215,3 +215,9 @@ def test_only_fixed_frames_are_read_again() -> None:
             yield from (f"{text}\n" for text in texts(fixed(found)))
 
     assert [pasted.data for pasted in read_text(lines())] == [TONE] * 32
+
+
+def test_lines_know_the_finding_that_they_are_about() -> None:
+    lines = list(diagnostics(report(TONE, LOW, rejected_at=10)))
+    assert (lines[0].offset, lines[0].length, lines[0].code) == (0, 16, "")
+    assert [(line.offset, line.length, line.code) for line in lines[2:]] == [(10, 3, "E1")] * 7

@@ -266,3 +266,18 @@ def test_floats_have_no_more_digits_than_they_need() -> None:
     assert short_float(float("nan")) == "nan"
     assert plain([1.5, 2.0]) == "[1.5, 2.0]"
     assert plain('quo"te\n') == '"quo\\"te\\n"'
+
+
+def test_lines_of_the_tree_know_their_bytes_and_their_operation() -> None:
+    reading = parse(bytes.fromhex("08002a00000100810160"))
+    lines = list(tree(Dialogue().follow(reading), Seen()))
+    assert [(line.offset, line.length, line.target) for line in lines] == [
+        (0, 10, ""),
+        (5, 2, ""),
+        (7, 3, "UI_READ.GET_VBATT"),
+        (9, 1, ""),
+    ]
+    cut = parse(bytes.fromhex("0e002a0080000094010182b8"), strict=False)
+    *_, rest, fault = tree(Dialogue().follow(cut), Seen())
+    assert (rest.offset, rest.length) == (10, 2)
+    assert fault.offset is not None

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from ev3proto.checking.checking import check
+from ev3proto.checking.codes import CODES
 from ev3proto.checking.fixing import fix
+from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Report, Severity
 from ev3proto.errors import counted
 from ev3proto.program.report import ProgramReport, program_findings
 from ev3proto.text.diagnostics import diagnostics
-from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.spans import Line, Role
 
 from .rows import pieces
 
@@ -22,8 +24,6 @@ MOST_FRAMES = 100
 MOST_ACCEPTED = 1000
 """Maximum number of accepted frames that are listed."""
 
-_FINDING = re.compile(r"(?:error|warning|hint)\[(\w+)\]")
-_PLACE = re.compile(r"--> .*?offset (\d+)|: .*?offset (\d+): ")
 _SEVERITIES = tuple(Severity)
 
 
@@ -104,7 +104,8 @@ class Findings:
         is_alone = self._checked == 1 and not self._skipped
         blocks: list[dict[str, Any]] = []
         if self._warnings:
-            blocks.append(_block([[(line, Role.PLAIN)] for line in self._warnings.splitlines()], None, "warning"))
+            lines = [Line([(line, Role.PLAIN)]) for line in self._warnings.splitlines()]
+            blocks.append(_block(lines, None, "warning"))
         for report in self._programs:
             blocks += _program_blocks(report)
         for each in self.frames:
@@ -112,9 +113,10 @@ class Findings:
         for severity, count in self._left_out.items():
             if count:
                 text = f"... and {counted(count, 'more frame')} with {severity}s"
-                blocks.append(_block([[(text, Role.ASIDE)]], None))
+                blocks.append(_block([Line([(text, Role.ASIDE)])], None))
         if is_alone and self._accepted:
-            blocks.append(_block([[("accepted", Role.NAME), (": no findings", Role.PLAIN)]], None, "accepted"))
+            line = Line([("accepted", Role.NAME), (": no findings", Role.PLAIN)])
+            blocks.append(_block([line], None, "accepted"))
         return {
             "summary": "" if is_alone or not self._checked + self._skipped else self._summary(),
             "blocks": blocks,
@@ -138,32 +140,26 @@ def _blocks(checked: Checked) -> Iterator[dict[str, Any]]:
 
 def _program_blocks(report: ProgramReport) -> Iterator[dict[str, Any]]:
     checked = Checked(0, "", 0, report)
-    lines: list[Line] = []
-    for line in program_findings(report, report.findings):
-        if lines and not plain_text(line).startswith(" "):
-            yield _block(lines, checked)
-            lines = []
-        lines.append(line)
-    yield _block(lines, checked)
+    for _, lines in groupby(program_findings(report, report.findings), lambda line: (line.code, line.offset)):
+        yield _block(lines, checked)
+
+
+def _severity(code: str) -> str:
+    return str((CODES.get(code) or PROGRAM_CODES[code]).severity)
 
 
 def _block(lines: Iterable[Line], checked: Checked | None, severity: str = "") -> dict[str, Any]:
     """Returns lines with what they are about: a finding, by its code and offset, or the whole frame."""
     shown = list(lines)
-    text = "\n".join(map(plain_text, shown))
-    codes = [found[1] for found in _FINDING.finditer(text)]
-    place = _PLACE.search(text)
-    at, length = 0, 0
-    if checked is not None:
-        length = len(checked.report.frame)
-        if codes and place is not None:
-            at = int(place[1] or place[2])
-            length = next((f.length or 1 for f in checked.report.findings if f.offset == at and f.code in codes), 1)
-            severity = text.strip().partition("[")[0]
+    codes = list(dict.fromkeys(line.code for line in shown if line.code))
+    at, length = 0, 0 if checked is None else len(checked.report.frame)
+    about = next((line for line in shown if line.code and line.offset is not None), None)
+    if about is not None and about.offset is not None:
+        at, length, severity = about.offset, about.length or 1, _severity(about.code)
     return {
         "lines": [pieces(line) for line in shown],
         "severity": severity,
-        "codes": list(dict.fromkeys(codes)),
+        "codes": codes,
         "frame": -1 if checked is None else checked.number,
         "line": 0 if checked is None else checked.line,
         "offset": at,

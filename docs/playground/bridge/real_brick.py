@@ -37,7 +37,7 @@ from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
 from ev3proto.text.phrases import Seen, command_spans
-from ev3proto.text.spans import Line, Role, plain_text
+from ev3proto.text.spans import Role, Spans, plain_text
 from ev3proto.text.tree import tree
 from ev3proto.version import VERSION
 
@@ -121,7 +121,7 @@ class RealBrick:
         self._jobs: deque[Job] = deque()
         self._now: Job | None = None
         self._late: Bounded[int, Job] = Bounded(MOST_LATE)
-        self._answers: list[list[Line]] = []
+        self._answers: list[list[Spans]] = []
         self._file = io.BytesIO()
         self._recording = Recording(self._file)
         self._recording.opened(_KEY, self._carrier, ("", 0), ("", 0))
@@ -265,7 +265,7 @@ class RealBrick:
     def _silent(self, job: Job, reason: str) -> None:
         self._show([command_spans(parse(job.frame, strict=False)), [(reason, Role.FAULT)]])
 
-    def _show(self, lines: list[Line]) -> None:
+    def _show(self, lines: list[Spans]) -> None:
         """Shows an answer below the ones before it."""
         if lines:
             self._answers = [*self._answers, lines][-MOST_ANSWERS:]
@@ -457,7 +457,7 @@ def _asks(frame: bytes, handles: OpenHandles) -> Iterator[str]:
         yield f"{name} {harm.text}."
 
 
-def _tree(reply: bytes, command: bytes | None) -> list[Line]:
+def _tree(reply: bytes, command: bytes | None) -> list[Spans]:
     dialogue = Dialogue()
     if command is not None:
         dialogue.follow(parse(command, strict=False))

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from ev3proto.cli.output import Printer
 from ev3proto.cli.show import Show
 from ev3proto.dialogue import Exchange
-from ev3proto.messages import Operation
 from ev3proto.program import Program
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import declarations
 from ev3proto.text.phrases import Seen
-from ev3proto.text.spans import Line, Role, visible
-
-_OFFSET = re.compile(r" +(\d+) *$")
-"""The first piece of a line that is about bytes: the offset of the first."""
+from ev3proto.text.spans import Line, Role, Spans, visible
 
 MORE = "... and many more lines; ev3proto on the command line shows all"
 
@@ -36,16 +32,17 @@ def _links() -> dict[str, str]:
 _LINKS = _links()
 
 
-def pieces(line: Line) -> list[list[str]]:
+def pieces(line: Spans) -> list[list[str]]:
     """Returns the pieces of a line with a role each, and for an operation its place in the reference."""
     found = [[visible(text), role] for text, role in line if text]
     while found and not found[-1][0].rstrip():
         found.pop()
     if found:
         found[-1][0] = found[-1][0].rstrip()
+    target = line.target if isinstance(line, Line) else ""
     for piece in found:
-        if piece[1] == Role.OPERATION and piece[0].strip() in _LINKS:
-            piece.append(_LINKS[piece[0].strip()])
+        if target and piece[1] == Role.OPERATION:
+            piece.append(_LINKS[target])
     return found
 
 
@@ -73,36 +70,24 @@ class Rows(Printer):
         self.kept: list[Row] = []
         self._left = most
         self._frame = -1
-        self._size = 0
-        self._lengths: dict[int, int] = {}
 
     @property
     def is_full(self) -> bool:
         """Whether further lines are not kept."""
         return self._left <= 0
 
-    def begin(self, frame: int, size: int, lengths: Iterable[tuple[int, int]]) -> None:
-        """Begins the lines of a frame.
+    def begin(self, frame: int) -> None:
+        """Begins the lines of a frame: its number, -1 for lines that are about none."""
+        self._frame = frame
 
-        Args:
-            frame: Its number, -1 for lines that are about none.
-            size: Its bytes.
-            lengths: Offset and length of its parts.
-        """
-        self._frame, self._size, self._lengths = frame, size, dict(lengths)
-
-    def lines(self, lines: Iterable[Line]) -> None:
+    def lines(self, lines: Iterable[Spans]) -> None:
         """Takes lines."""
         for line in lines:
             found = pieces(line)
-            offset, length, frame = 0, 0, -1
-            if found and self._frame >= 0:
-                if at := _OFFSET.fullmatch(found[0][0]):
-                    offset, frame = int(at[1]), self._frame
-                    length = self._lengths.get(offset, 1)
-                elif not found[0][0].startswith(" "):
-                    length, frame = self._size, self._frame
-            self.kept.append(Row(found, frame, offset, length))
+            if self._frame >= 0 and isinstance(line, Line) and line.offset is not None:
+                self.kept.append(Row(found, self._frame, line.offset, line.length))
+            else:
+                self.kept.append(Row(found))
             self._left -= sum(len(piece[0]) for piece in found) + 1
 
     def text(self, text: str) -> None:
@@ -132,36 +117,21 @@ class Showing(Show):
             return
         frame = seen.frame if seen.frame is not None else exchange.message.build()
         self.frames[self.number] = frame
-        self._rows.begin(self.number, len(frame), _parts(exchange))
+        self._rows.begin(self.number)
         super().exchange(exchange, seen, padding)
 
-    def aside(self, line: Line) -> None:
+    def aside(self, line: Spans) -> None:
         """Shows a line between messages."""
         if not self._rows.is_full:
-            self._rows.begin(-1, 0, ())
+            self._rows.begin(-1)
             super().aside(line)
 
     def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
         """Shows a program."""
         self.number += 1
         self.frames[self.number] = image
-        operations = (operation for part in program.objects if part.shares is None for operation in part.operations)
-        self._rows.begin(self.number, len(image), _spans(operations))
+        self._rows.begin(self.number)
         super().program(program, image, origin)
-
-
-def _parts(exchange: Exchange) -> Iterator[tuple[int, int]]:
-    """Yields offset and length of each part of a message."""
-    yield from _spans(getattr(exchange.message, "operations", ()))
-    for value in exchange.values:
-        yield value.offset, value.length
-
-
-def _spans(operations: Iterable[Operation]) -> Iterator[tuple[int, int]]:
-    for operation in operations:
-        yield operation.offset, operation.length
-        for argument in operation.arguments:
-            yield argument.offset, argument.length
 
 
 def shown(rows: Rows) -> list[list[Any]]:

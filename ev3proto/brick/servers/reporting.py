@@ -109,18 +109,18 @@ class Reporter:
         kind_of_finding = "error" if errors_only else "finding"
         kinds = self._sorted(errors_only)
         if not kinds and not self._broken:
-            yield [(f"{many}: no {kind_of_finding}s", Role.PLAIN)]
+            yield Line([(f"{many}: no {kind_of_finding}s", Role.PLAIN)])
             return
-        yield [(f"{many}, {counted(len(kinds), f'distinct {kind_of_finding}')}", Role.HEADING)]
+        yield Line([(f"{many}, {counted(len(kinds), f'distinct {kind_of_finding}')}", Role.HEADING)])
         for place, reason in self._broken:
-            yield [(f"{_named(place)}: {reason}", Role.FAULT)]
+            yield Line([(f"{_named(place)}: {reason}", Role.FAULT)])
         for kind in kinds:
-            yield []
+            yield Line()
             yield from diagnostics(kind.report, [kind.finding], place=_named(kind.place), dialect=self._dialect)
             others = [name for name in kind.operations if name != kind.finding.operation]
             more = f"; also in {', '.join(others[:_MOST_OPERATIONS])}" if others else ""
             etc = ", ..." if len(others) > _MOST_OPERATIONS else ""
-            yield [(f"     = {kind.finding.code} in {counted(kind.frames, 'frame')}{more}{etc}", Role.ASIDE)]
+            yield Line([(f"     = {kind.finding.code} in {counted(kind.frames, 'frame')}{more}{etc}", Role.ASIDE)])
 
     def json_lines(self, *, errors_only: bool = False) -> Iterator[str]:
         """Yields the same for other tools: an object for each kind of finding and each client out of step."""

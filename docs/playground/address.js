@@ -6,25 +6,30 @@ const MOST_INFLATED = 1 << 20;
 
 const DEFLATE = "deflate-raw";
 
+/** @param {Uint8Array} bytes */
 const base64url = (bytes) => {
   let text = "";
   for (let at = 0; at < bytes.length; at += 4096) text += String.fromCharCode(...bytes.subarray(at, at + 4096));
   return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 };
 
+/** @param {string} text */
 const bytesOf = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (it) => it.charCodeAt(0));
 
+/** @param {string} text */
 const plain = (text) => `#text=${encodeURIComponent(text)}`;
 
+/** @param {string} text */
 const deflated = async (text) => {
   if (!("CompressionStream" in globalThis)) return null;
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream(DEFLATE));
   return `#z=${base64url(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
 };
 
+/** @param {string} fragment */
 const isShort = (fragment) => location.href.split("#")[0].length + fragment.length <= MOST_LINK;
 
-/** The fragment for the address bar; empty for a text that is too long. */
+/** The fragment for the address bar; empty for a text that is too long. @param {string} text */
 export const fragmentOf = async (text) => {
   if (!text) return "";
   if (text.length <= MOST_TEXT) return plain(text);
@@ -32,15 +37,15 @@ export const fragmentOf = async (text) => {
   return found && isShort(found) ? found : "";
 };
 
-/** The shortest link to a text; null if there is none. */
+/** The shortest link to a text; null if there is none. @param {string} text */
 export const linkTo = async (text) => {
-  const found = [text.length <= MOST_TEXT ? plain(text) : null, await deflated(text)].filter((it) => it && isShort(it));
+  const found = [text.length <= MOST_TEXT ? plain(text) : null, await deflated(text)].filter((it) => it !== null).filter(isShort);
   if (!found.length) return null;
   const shortest = found.reduce((one, other) => (other.length < one.length ? other : one));
   return location.href.split("#")[0] + shortest;
 };
 
-/** The text of a fragment; null if it has none. Throws an Error with a sentence if it cannot be read. */
+/** The text of a fragment; null if it has none. Throws an Error with a sentence if it cannot be read. @param {string} fragment */
 export const textOf = async (fragment) => {
   const [, kind, given] = fragment.match(/^#(text|z)=(.*)$/s) ?? [];
   if (kind === undefined) return null;
@@ -50,6 +55,7 @@ export const textOf = async (fragment) => {
   return inflated(given);
 };
 
+/** @param {string} given */
 const inflated = async (given) => {
   if (!("DecompressionStream" in globalThis)) throw new Error("This browser cannot read the link: it lacks DecompressionStream.");
   const parts = [];

@@ -30,20 +30,7 @@ CONFORMANCE = CAPTURES / "conformance.pcapng"
 WITHOUT = "no_playground"
 """The tag with which Sphinx builds everything except the playground."""
 
-PAGE = (
-    "index.html",
-    "playground.css",
-    "playground.js",
-    "address.js",
-    "carriers.js",
-    "editor.js",
-    "elements.js",
-    "made.js",
-    "python.js",
-    "real_brick.js",
-    "view.js",
-    "worker.js",
-)
+PAGE = ("*.html", "*.css", "*.js")
 SERVICE_WORKER = "service-worker.js"
 BRICK = ("brick.css", "brick.js", "icon.svg")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
@@ -90,9 +77,9 @@ def build(site: Path, npm: Path) -> None:
     modules = _installed(npm)
     for name in ("pyodide", "vega"):
         (site / name).mkdir(parents=True, exist_ok=True)
-    for name in PAGE:
-        text = (HERE / name).read_text(encoding="utf-8")
-        (site / name).write_text(text.replace("@VERSION@", VERSION), encoding="utf-8")
+    for file in sorted(file for kind in PAGE for file in HERE.glob(kind)):
+        text = file.read_text(encoding="utf-8")
+        (site / file.name).write_text(text.replace("@VERSION@", VERSION), encoding="utf-8")
     for name in BRICK:
         (site / name).write_bytes((files("ev3proto.brick.servers.page") / "static" / name).read_bytes())
     for name in PYODIDE:
@@ -131,7 +118,7 @@ def _installed(npm: Path) -> Path:
     npm.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         shutil.copy(HERE / name, npm / name)
-    command = [shutil.which("npm") or "npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund"]
+    command = [shutil.which("npm") or "npm", "ci", "--omit=dev", "--ignore-scripts", "--no-audit", "--no-fund"]
     done = subprocess.run(command, cwd=npm, capture_output=True, text=True, check=False)
     if done.returncode:
         said = " ".join(done.stderr.split())[:300]

@@ -9,15 +9,27 @@ const PATIENCE = 1000;
 
 const UNPLUGGED = "the brick was unplugged or switched off";
 
+/** @typedef {{heard: (bytes: Uint8Array, at: number) => void, gone: (reason: string) => void}} To  takes what happens */
+/**
+ * @typedef {object} Wire  a connection
+ * @property {"usb" | "bluetooth"} kind
+ * @property {string} label  which brick, as sentences call it
+ * @property {(frame: Uint8Array) => Promise<void>} send
+ * @property {() => Promise<void>} close
+ */
+
 /** Why a connection is not there: a sentence for the page. */
 export class Refused extends Error {}
+
+/** @param {unknown} error */
+const messageOf = (error) => (error instanceof Error ? error.message : String(error));
 
 /**
  * Opens the brick on USB.
  *
  * @param {boolean} isNew  ask which one, even if one is known
- * @param {{heard: (bytes: Uint8Array, at: number) => void, gone: (reason: string) => void}} to  takes what happens
- * @returns {Promise<{kind: string, label: string, send: (frame: Uint8Array) => Promise<void>, close: () => Promise<void>}>}
+ * @param {To} to
+ * @returns {Promise<Wire>}
  */
 export const openUsb = async (isNew, to) => {
   const hid = navigator.hid;
@@ -26,13 +38,16 @@ export const openUsb = async (isNew, to) => {
   try {
     if (!device.opened) await device.open();
   } catch (error) {
-    throw new Refused(`The brick cannot be opened (${error.message}). Does another tab or program use it? On Linux, its udev rule is needed`);
+    throw new Refused(`The brick cannot be opened (${messageOf(error)}). Does another tab or program use it? On Linux, its udev rule is needed`);
   }
+  /** @param {HIDInputReportEvent} event */
   const onReport = ({ data, timeStamp }) => {
     to.heard(new Uint8Array(data.buffer, data.byteOffset, data.byteLength).slice(), timeStamp || performance.now());
   };
+  /** @param {HIDConnectionEvent} event */
   const onDisconnect = (event) => { if (event.device === device) end(UNPLUGGED); };
   let isOpen = true;
+  /** @param {string} reason */
   const end = (reason) => {
     if (!isOpen) return;
     isOpen = false;
@@ -61,7 +76,9 @@ export const openUsb = async (isNew, to) => {
   };
 };
 
+/** @param {HID} hid @param {boolean} isNew */
 const chosenDevice = async (hid, isNew) => {
+  /** @param {HIDDevice} device */
   const isBrick = ({ vendorId, productId }) => vendorId === VENDOR && productId === PRODUCT;
   const known = isNew ? [] : (await hid.getDevices()).filter(isBrick);
   if (known.length === 1) return known[0];
@@ -69,13 +86,13 @@ const chosenDevice = async (hid, isNew) => {
   try {
     chosen = await hid.requestDevice({ filters: [{ vendorId: VENDOR, productId: PRODUCT }] });
   } catch (error) {
-    throw new Refused(`The browser did not allow it: ${error.message}`);
+    throw new Refused(`The browser did not allow it: ${messageOf(error)}`);
   }
   if (!chosen.length) throw new Refused("No brick was chosen. Is it switched on, and its cable in the port marked PC?");
   return chosen[0];
 };
 
-/** Opens the serial port of a paired brick, with the arguments of `openUsb`. */
+/** Opens the serial port of a paired brick, with the arguments of `openUsb`. @type {typeof openUsb} */
 export const openBluetooth = async (isNew, to) => {
   const serial = navigator.serial;
   if (!serial) throw new Refused("This browser has no Web Serial");
@@ -83,10 +100,14 @@ export const openBluetooth = async (isNew, to) => {
   try {
     await port.open({ baudRate: BAUD_RATE });
   } catch (error) {
-    throw new Refused(`The serial port cannot be opened (${error.message}). Is the brick on, and does no other tab or program use the port?`);
+    throw new Refused(`The serial port cannot be opened (${messageOf(error)}). Is the brick on, and does no other tab or program use the port?`);
   }
-  let isOpen = true, reader = null;
+  let isOpen = true;
+  /** @type {ReadableStreamDefaultReader<Uint8Array> | null} */
+  let reader = null;
+  /** @param {Event} event */
   const onDisconnect = (event) => { if (event.target === port || event.target === serial) end(UNPLUGGED); };
+  /** @param {string} reason */
   const end = (reason) => {
     if (!isOpen) return;
     isOpen = false;
@@ -98,7 +119,7 @@ export const openBluetooth = async (isNew, to) => {
   serial.addEventListener("disconnect", onDisconnect);
   const reading = (async () => {
     // After an error that is not the end, the port has another stream.
-    for (let before = null; isOpen && port.readable && port.readable !== before;) {
+    for (let before = /** @type {ReadableStream | null} */ (null); isOpen && port.readable && port.readable !== before;) {
       before = port.readable;
       reader = before.getReader();
       try {
@@ -118,9 +139,10 @@ export const openBluetooth = async (isNew, to) => {
     await port.close().catch(() => {});
   })();
   let writing = Promise.resolve();
+  /** @param {Uint8Array} frame */
   const write = async (frame) => {
     try {
-      const writer = port.writable.getWriter();
+      const writer = /** @type {WritableStream} */ (port.writable).getWriter();
       try {
         await writer.write(frame);
       } finally {
@@ -144,15 +166,17 @@ export const openBluetooth = async (isNew, to) => {
   };
 };
 
+/** @param {number} duration */
 const pause = (duration) => new Promise((resolve) => { setTimeout(resolve, duration); });
 
+/** @param {Serial} serial @param {boolean} isNew */
 const chosenPort = async (serial, isNew) => {
   const known = isNew ? [] : await serial.getPorts();
   if (known.length === 1) return known[0];
   try {
     return await serial.requestPort();
   } catch (error) {
-    if (error.name === "NotFoundError") throw new Refused("No serial port was chosen. Is the brick paired with this computer, and switched on?");
-    throw new Refused(`The browser did not allow it: ${error.message}`);
+    if (error instanceof DOMException && error.name === "NotFoundError") throw new Refused("No serial port was chosen. Is the brick paired with this computer, and switched on?");
+    throw new Refused(`The browser did not allow it: ${messageOf(error)}`);
   }
 };

@@ -2,17 +2,17 @@
 
 import { find, make } from "./elements.js";
 
-const input = find("input"), list = find("words");
+const input = find("input", HTMLTextAreaElement), list = find("words");
 
 /** Chromium's own edits take seconds for more lines than this. */
 const MOST_LINES = 200;
 const MOST_UNDOS = 10;
 
 let isOurs = false;
-/** Long edits, each with the text before and after it. */
+/** Long edits, each with the text before and after it. @type {{before: string, after: string}[]} */
 const undos = [];
 
-/** Replaces a part of the input as typing does: Ctrl-Z undoes it, and `input` events follow. */
+/** Replaces a part of the input as typing does: Ctrl-Z undoes it, and `input` events follow. @param {string} text */
 export const edit = (text, start = 0, end = input.value.length) => {
   isOurs = true;
   input.focus({ preventScroll: true });
@@ -42,7 +42,7 @@ input.addEventListener("keydown", (event) => {
   isOurs = false;
 });
 
-/** Replaces the whole text, but only the lines that differ are edited. */
+/** Replaces the whole text, but only the lines that differ are edited. @param {string} text */
 export const replace = (text) => {
   const before = input.value;
   let start = 0, end = 0;
@@ -58,7 +58,9 @@ export const replace = (text) => {
  * @param {(before: string) => Promise<{word: string, words: string[][], hint: string}>} complete  what fits at the cursor
  */
 export const offerCompletions = (complete) => {
-  let words = [], chosen = -1, word = "";
+  /** @type {string[][]} */
+  let words = [];
+  let chosen = -1, word = "";
   const hide = () => { list.hidden = true; };
 
   const suggest = async () => {
@@ -72,7 +74,7 @@ export const offerCompletions = (complete) => {
       const item = make("li", label);
       item.role = "option";
       item.id = `word-${number}`;
-      item.onpointerdown = (event) => { event.preventDefault(); insert(number); };
+      item.onpointerdown = (/** @type {PointerEvent} */ event) => { event.preventDefault(); insert(number); };
       return item;
     });
     list.replaceChildren(...items, ...(answer.hint ? [make("li", answer.hint, "aside")] : []));
@@ -80,19 +82,21 @@ export const offerCompletions = (complete) => {
     input.removeAttribute("aria-activedescendant");
   };
 
+  /** @param {number} number */
   const insert = (number) => {
     const [name] = words[number];
     const [head, cmd] = name.split(".");
     const start = input.selectionStart - word.length;
-    const isCall = !/\([^()]*$/.test(input.value.slice(0, start).split("\n").pop());
+    const isCall = !/\([^()]*$/.test(input.value.slice(0, start).split("\n").at(-1) ?? "");
     edit(isCall ? (cmd ? `${head}(${cmd}, ` : `${head}(`) : name, start, input.selectionStart);
     suggest();
   };
 
+  /** @param {number} number */
   const mark = (number) => {
     list.children[chosen]?.classList.remove("chosen");
     chosen = number;
-    for (const [at, item] of [...list.children].entries()) item.setAttribute("aria-selected", at === chosen);
+    for (const [at, item] of [...list.children].entries()) item.setAttribute("aria-selected", String(at === chosen));
     list.children[chosen].classList.add("chosen");
     list.children[chosen].scrollIntoView({ block: "nearest" });
     input.setAttribute("aria-activedescendant", `word-${chosen}`);
@@ -102,7 +106,7 @@ export const offerCompletions = (complete) => {
   input.addEventListener("blur", hide);
   input.addEventListener("keydown", (event) => {
     if (list.hidden || !words.length) return;
-    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const step = { ArrowDown: 1, ArrowUp: -1 }[/** @type {"ArrowDown"} */ (event.key)];
     if (step) mark(Math.max(0, Math.min(words.length - 1, chosen + step)));
     else if ((event.key === "Enter" || event.key === "Tab") && chosen >= 0) insert(chosen);
     else if (event.key === "Escape") hide();

@@ -1,17 +1,54 @@
 // What the modules of the page share: finding, making and filling elements, and saving files. Text is never markup.
 
 import { make, saveAs } from "./brick.js";
+import { flash } from "./state.js";
 
 export { make, saveAs };
 
-export const find = (id) => document.getElementById(id);
+/** @typedef {[text: string, role: string, place?: string]} Piece  text, the role that gives its colour, its place in the reference */
 
-/** The pieces of a line that Python made: text, the role that gives its colour, its place in the reference. */
+/**
+ * Returns the element with an id.
+ *
+ * @template {Element} [T=HTMLElement]
+ * @param {string} id
+ * @param {new () => T} [kind]  its class
+ * @returns {T}
+ */
+export const find = (id, kind) => {
+  const element = document.getElementById(id);
+  if (!element || (kind && !(element instanceof kind))) throw new Error(`#${id} is missing, or of another kind`);
+  return /** @type {T} */ (/** @type {unknown} */ (element));
+};
+
+/**
+ * Returns an element inside another one.
+ *
+ * @template {Element} T
+ * @param {ParentNode} place
+ * @param {string} selector
+ * @param {new () => T} kind
+ * @returns {T}
+ */
+export const inside = (place, selector, kind) => {
+  const element = place.querySelector(selector);
+  if (!(element instanceof kind)) throw new Error(`${selector} is missing, or of another kind`);
+  return element;
+};
+
+/**
+ * Fills an element with the pieces of a line that Python made.
+ *
+ * @template {HTMLElement} T
+ * @param {T} element
+ * @param {Piece[]} pieces
+ * @returns {T}
+ */
 export const filled = (element, pieces) => {
   for (const [text, role, place] of pieces) {
     if (place) {
       // Blanks before a name are not part of the link.
-      const [, blanks, name] = text.match(/^(\s*)(.*)$/s);
+      const [, blanks, name] = text.match(/^(\s*)(.*)$/s) ?? ["", "", text];
       const link = make("a", name, role);
       link.href = `../reference/${place}`;
       link.target = "_blank";
@@ -22,20 +59,12 @@ export const filled = (element, pieces) => {
   return element;
 };
 
-/** Shows a text in a button for a moment. */
-export const flash = (button, text) => {
-  button.dataset.text ??= button.textContent;
-  button.textContent = text;
-  clearTimeout(Number(button.dataset.timer));
-  button.dataset.timer = setTimeout(() => { button.textContent = button.dataset.text; }, 1500);
-};
-
-/** Copies a text, and says in the button whether that worked. */
-export const copy = async (text, button) => {
+/** Copies a text, and says in a button whether that worked. @param {string} text @param {string} id */
+export const copy = async (text, id) => {
   try {
     await navigator.clipboard.writeText(text);
-    flash(button, "Copied");
+    flash(id, "Copied");
   } catch {
-    flash(button, "The browser did not allow it");
+    flash(id, "The browser did not allow it");
   }
 };

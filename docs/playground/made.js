@@ -1,17 +1,23 @@
 // The frames in notations of other programs, one tab each. Those of many frames are made when their tab is opened.
 
 import { copy, find } from "./elements.js";
+import { derived } from "./notations.js";
 
 const CHOSEN = "notation";
+/** @type {Record<string, string>} */
 const PANELS = { lesson: "frame", hex: "hex", c: "c", python: "python", javascript: "javascript" };
 
-const tabs = [...document.querySelectorAll("[data-tab]")];
-let made = {}, ask = null, chosen = "lesson";
+const tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("[data-tab]")]);
+/** @type {Record<string, string>} */
+let made = {};
+/** @type {(form: string) => Promise<string>} */
+let ask = async () => "";
+let chosen = "lesson";
 
 /**
  * Shows the frames of an answer.
  *
- * @param {object} answer  see Reading.answer
+ * @param {import("./answer.js").Answer} answer
  * @param {(form: string) => Promise<string>} make  makes a notation that is not in the answer
  */
 export const showMade = (answer, make) => {
@@ -22,50 +28,43 @@ export const showMade = (answer, make) => {
   choose(chosen);
 };
 
-/** The notations that need no knowledge of the protocol. */
-const derived = (lesson) => {
-  const frames = lesson.split("\n").filter((each) => each.startsWith("0x|")).map((each) => each.slice(3).match(/[0-9A-F]{2}/g));
-  const rest = lesson.split("\n").filter((each) => each && !each.startsWith("0x|"));
-  return {
-    hex: [...frames.map((bytes) => bytes.join(" ")), ...rest].join("\n"),
-    javascript: [...frames.map((bytes, index) => {
-      const name = frames.length > 1 ? `frame${index + 1}` : "frame";
-      return `const ${name} = new Uint8Array([${bytes.map((each) => `0x${each.toLowerCase()}`).join(", ")}]);`;
-    }), ...rest.map((each) => `/* ${each} */`)].join("\n"),
-  };
-};
-
+/** @param {string} name */
 const choose = async (name) => {
   chosen = name;
   for (const tab of tabs) {
     const isChosen = tab.dataset.tab === name;
-    tab.setAttribute("aria-selected", isChosen);
+    tab.setAttribute("aria-selected", String(isChosen));
     tab.tabIndex = isChosen ? 0 : -1;
-    find(PANELS[tab.dataset.tab]).hidden = !isChosen;
+    find(PANELS[nameOf(tab)]).hidden = !isChosen;
   }
-  find("copy").setAttribute("aria-label", `Copy as ${tabs.find((tab) => tab.dataset.tab === name).textContent}`);
+  find("copy").setAttribute("aria-label", `Copy as ${tabs.find((tab) => nameOf(tab) === name)?.textContent}`);
   if (made[name] !== undefined || !made.lesson) return;
   const now = made;
   now[name] = await ask(name);
   if (made === now) find(PANELS[name]).textContent = now[name];
 };
 
+/** @param {HTMLElement} tab */
+const nameOf = (tab) => tab.dataset.tab ?? "";
+
+/** @param {string} name */
 const remember = (name) => { try { localStorage.setItem(CHOSEN, name); } catch { /* storage may be forbidden */ } };
 const remembered = () => { try { return localStorage.getItem(CHOSEN); } catch { return null; } };
 
 for (const tab of tabs) {
   tab.onclick = () => {
-    remember(tab.dataset.tab);
-    choose(tab.dataset.tab);
+    remember(nameOf(tab));
+    choose(nameOf(tab));
   };
 }
 find("tabs").onkeydown = (event) => {
-  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[/** @type {"ArrowRight"} */ (event.key)];
   if (!step) return;
   event.preventDefault();
   const next = tabs[(tabs.findIndex((tab) => tab.dataset.tab === chosen) + step + tabs.length) % tabs.length];
   next.focus();
   next.click();
 };
-find("copy").onclick = () => copy(find(PANELS[chosen]).textContent, find("copy"));
-choose(remembered() in PANELS ? remembered() : "lesson");
+find("copy").onclick = () => copy(find(PANELS[chosen]).textContent ?? "", "copy");
+const before = remembered();
+choose(before !== null && before in PANELS ? before : "lesson");

@@ -1,13 +1,24 @@
 // Python in a worker: questions to it, the parts of an answer as they come, and what it says by itself.
 
+/**
+ * @typedef {object} Said  what Python says by itself; one of these
+ * @property {string} [status]
+ * @property {string} [failed]
+ * @property {"snapshot" | "plain"} [ready]  how it started
+ * @property {any} [brick]  news of the virtual brick
+ * @property {any} [real]  news of the session with a real brick
+ * @property {string} [carry]  a frame for the real brick, in hex
+ */
+
 export class Python {
+  /** @type {Map<number, {resolve: (answer: any) => void, reject: (error: Error) => void, hear: ((part: any) => void) | null}>} */
   #waiting = new Map();
   #count = 0;
   #worker;
 
   /**
    * @param {string} name  "brick" for the one that has the bricks, "reader" for one that only reads
-   * @param {(said: object) => void} hear  takes what it says by itself: `status`, `ready`, `failed`, `brick`, `real`, `carry`
+   * @param {(said: Said) => void} hear  takes what it says by itself
    */
   constructor(name, hear) {
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name });
@@ -15,7 +26,7 @@ export class Python {
     this.#worker.onmessage = ({ data }) => {
       const asked = this.#waiting.get(data.number);
       if (!asked) hear(data);
-      else if (data.part !== undefined) asked.hear(data.part);
+      else if (data.part !== undefined) asked.hear?.(data.part);
       else {
         this.#waiting.delete(data.number);
         if (data.error === undefined) asked.resolve(data.answer); else asked.reject(new Error(data.error));
@@ -23,16 +34,24 @@ export class Python {
     };
   }
 
-  /** Calls a function of bridge. */
+  /** Calls a function of bridge. @param {string} call @param {unknown[]} given @returns {Promise<any>} */
   ask(call, ...given) {
     return this.#post(call, given, null);
   }
 
-  /** Calls a function of bridge that publishes parts of its answer. */
+  /**
+   * Calls a function of bridge that publishes parts of its answer.
+   *
+   * @param {(part: any) => void} hear
+   * @param {string} call
+   * @param {unknown[]} given
+   * @returns {Promise<any>}
+   */
   follow(hear, call, ...given) {
     return this.#post(call, given, hear);
   }
 
+  /** @param {string} call @param {unknown[]} given @param {((part: any) => void) | null} hear */
   #post(call, given, hear) {
     return new Promise((resolve, reject) => {
       const number = ++this.#count;

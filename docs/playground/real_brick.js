@@ -1,7 +1,8 @@
 // A real brick: connecting it, its answers, what is asked for every second, the recording, and the comparison.
 
 import { openBluetooth, openUsb, Refused } from "./carriers.js";
-import { filled, find, make, saveAs } from "./elements.js";
+import { filled, find, inside, make, saveAs } from "./elements.js";
+import { change, follow, state } from "./state.js";
 
 const NONE = "Not connected to a real brick: what you send goes to the virtual one below.";
 const MOST_TALKS = 20;
@@ -10,26 +11,61 @@ const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
 const CAPTURE = "./conformance.pcapng";
 
+/** @typedef {import("./carriers.js").Wire} Wire */
+/** @typedef {import("./elements.js").Piece} Piece */
+/** @typedef {{isSent: boolean, error: string}} Outcome  of sending; neither sent nor wrong is cancelled */
+/** @typedef {{result: string, differences: {command: string, answer: string, difference: string}[]}} Comparison */
+/** @typedef {{name?: string, firmware?: string, battery?: string, ports?: string[][], silence?: string}} Facts */
+/**
+ * @typedef {object} News  from the session
+ * @property {Piece[][][]} [answers]
+ * @property {boolean} [isWaiting]
+ * @property {Facts} [facts]
+ * @property {{done: number, count: number}} [comparing]
+ * @property {Comparison} [comparison]
+ */
+/**
+ * @typedef {object} Real
+ * @property {(news: News) => void} take
+ * @property {(found: {number: number, text: string}[]) => void} takeVirtual
+ * @property {(hex: string) => void} carry
+ * @property {(given: unknown) => Promise<Outcome>} send
+ * @property {() => void} forget
+ * @property {() => void} drop
+ */
+
 /**
  * Controls what belongs to a real brick.
  *
  * @param {() => import("./python.js").Python} python  the Python that has the session
+ * @returns {Real}
  */
 export const realBrick = (python) => {
-  let wire = null, isNew = false, result = null;
+  /** @type {Wire | null} */
+  let wire = null;
+  /** @type {Comparison | null} */
+  let result = null;
+  let isNew = false;
+  const watch = find("watch", HTMLInputElement);
+  /** @param {string} text */
   const status = (text) => { find("brick-status").textContent = text; };
 
+  follow(({ connection, isConnecting }) => {
+    document.body.dataset.connection = connection;
+    for (const id of ["connect-usb", "connect-bluetooth"]) {
+      find(id).hidden = connection !== "none";
+      find(id, HTMLButtonElement).disabled = isConnecting;
+    }
+    find("disconnect").hidden = find("talk").hidden = connection === "none";
+  });
   const showState = () => {
-    document.body.dataset.connection = wire?.kind ?? "none";
-    find("connect-usb").hidden = find("connect-bluetooth").hidden = wire !== null;
-    find("disconnect").hidden = find("talk").hidden = wire === null;
     find("facts").hidden = true;
     find("facts").replaceChildren();
-    find("watch").checked = false;
-    find("compare").textContent = "Compare with the virtual brick";
-    find("send").textContent = wire ? "Send to the real brick" : "Send to the brick";
+    watch.checked = false;
+    change({ connection: wire?.kind ?? "none", isComparing: false });
   };
 
+  /** @type {import("./carriers.js").To} */
   const to = {
     heard: (bytes, at) => { python().ask("heard", bytes, at); },
     gone: (reason) => {
@@ -40,12 +76,13 @@ export const realBrick = (python) => {
     },
   };
 
+  /** @param {typeof openUsb} open */
   const connect = async (open) => {
     if (!navigator.hid && !navigator.serial) {
       status(ELSEWHERE);
       return;
     }
-    for (const each of [find("connect-usb"), find("connect-bluetooth")]) each.disabled = true;
+    change({ isConnecting: true });
     status("Connecting …");
     try {
       wire = await open(isNew, to);
@@ -60,9 +97,9 @@ export const realBrick = (python) => {
     } catch (error) {
       wire = null;
       showState();
-      status(error instanceof Refused ? `${error.message}.${open === openUsb ? SNAP : ""}`.replace("?.", "?") : `Not connected: ${error.message}`);
+      status(error instanceof Refused ? `${error.message}.${open === openUsb ? SNAP : ""}`.replace("?.", "?") : `Not connected: ${error instanceof Error ? error.message : error}`);
     } finally {
-      for (const each of [find("connect-usb"), find("connect-bluetooth")]) each.disabled = false;
+      change({ isConnecting: false });
     }
   };
   find("connect-usb").onclick = () => connect(openUsb);
@@ -80,7 +117,9 @@ export const realBrick = (python) => {
 
   // Answers
 
+  /** @type {Map<number, string>} */
   const talks = new Map();
+  /** @param {HTMLElement[]} lines */
   const showAnswer = (lines) => {
     const box = find("answer");
     box.hidden = !lines.length;
@@ -88,12 +127,13 @@ export const realBrick = (python) => {
     box.scrollTop = box.scrollHeight;
   };
 
-  /** Shows what the virtual brick was told and answered since the last `forget`. */
+  /** Shows what the virtual brick was told and answered since the last `forget`. @type {Real["takeVirtual"]} */
   const takeVirtual = (found) => {
     for (const { number, text } of found) talks.set(number, text);
     if (wire === null) showAnswer([...talks.values()].slice(-MOST_TALKS).map((text) => make("span", `${text}\n`)));
   };
 
+  /** @type {Real["take"]} */
   const take = ({ answers, isWaiting, facts, comparing, comparison }) => {
     if (answers) {
       const lines = answers.flatMap((answer) => answer.map((pieces) => {
@@ -111,17 +151,19 @@ export const realBrick = (python) => {
     if (comparison) showComparison(comparison);
   };
 
+  /** @param {Facts} facts */
   const showFacts = ({ name, firmware, battery, ports = [], silence }) => {
-    if (!find("watch").checked) return;
+    if (!watch.checked) return;
+    /** @type {(string | undefined)[][]} */
     const rows = [["Name", name], ["Firmware", firmware], ["Battery", battery]];
     rows.push(...ports.map(([port, type, value]) => [`Port ${port}`, `${type}: ${value}`]));
     if (silence) rows.push(["", silence]);
     find("facts").hidden = false;
     find("facts").replaceChildren(...rows.filter(([, value]) => value).flatMap(([key, value]) => [make("dt", key), make("dd", value)]));
   };
-  find("watch").onchange = ({ target }) => {
-    find("facts").hidden = !target.checked;
-    python().ask("watch", target.checked);
+  watch.onchange = () => {
+    find("facts").hidden = !watch.checked;
+    python().ask("watch", watch.checked);
   };
 
   // The recording
@@ -134,24 +176,22 @@ export const realBrick = (python) => {
 
   // The comparison
 
-  let isComparing = false;
-  find("compare").onclick = async ({ target }) => {
-    if (isComparing) {
+  find("compare").onclick = async () => {
+    if (state().isComparing) {
       await python().ask("end_comparison");
       return;
     }
-    isComparing = true;
-    target.textContent = "Stop comparing";
+    change({ isComparing: true });
     find("results").hidden = find("differences").hidden = true;
     find("comparison").hidden = false;
     find("comparison").textContent = "Comparing …";
     const found = await fetch(new URL(CAPTURE, import.meta.url));
-    await python().ask("compare", new Uint8Array(await found.arrayBuffer()), find("computes").checked);
+    await python().ask("compare", new Uint8Array(await found.arrayBuffer()), find("computes", HTMLInputElement).checked);
   };
+  /** @param {Comparison} found */
   const showComparison = (found) => {
-    isComparing = false;
+    change({ isComparing: false });
     result = found;
-    find("compare").textContent = "Compare with the virtual brick";
     find("comparison").hidden = find("results").hidden = false;
     find("comparison").textContent = `${found.result}.`;
     find("differences").hidden = !found.differences.length;
@@ -167,12 +207,17 @@ export const realBrick = (python) => {
 
   // Sending
 
-  const dialog = find("ask"), cancel = find("cancel"), cancelPlace = cancel.parentElement;
-  dialog.onclose = () => cancelPlace.append(cancel);
+  const dialog = find("ask", HTMLDialogElement), cancel = find("cancel", HTMLButtonElement), cancelPlace = cancel.parentElement;
+  dialog.onclose = () => cancelPlace?.append(cancel);
 
-  /** Asks whether to send what is not on the list of reading operations. */
+  /**
+   * Asks whether to send what is not on the list of reading operations.
+   *
+   * @param {string[]} reasons
+   * @returns {Promise<boolean>}
+   */
   const isAllowed = (reasons) => new Promise((resolve) => {
-    dialog.querySelector("ul").replaceChildren(...reasons.map((reason) => make("li", reason)));
+    inside(dialog, "ul", HTMLUListElement).replaceChildren(...reasons.map((reason) => make("li", reason)));
     dialog.returnValue = "";
     // The one button that cancels is where it can be reached, and what Enter chooses.
     find("allow").after(cancel);
@@ -181,16 +226,21 @@ export const realBrick = (python) => {
     dialog.showModal();
   });
 
+  /** @type {Real["send"]} */
   const send = async (given) => {
     let said = await python().ask("talk", JSON.stringify(given), false);
-    if (said.ask && await isAllowed(said.ask)) said = await python().ask("talk", JSON.stringify(given), true);
-    return said.error ?? "";
+    if (said.ask) {
+      if (!await isAllowed(said.ask)) return { isSent: false, error: "" };
+      said = await python().ask("talk", JSON.stringify(given), true);
+    }
+    return { isSent: !said.error, error: said.error ?? "" };
   };
 
+  /** @type {Real["carry"]} */
   const carry = (hex) => {
     if (!wire) return;
     python().ask("sent", performance.now());
-    wire.send(Uint8Array.from(hex.match(/../g), (each) => parseInt(each, 16)));
+    wire.send(Uint8Array.from(hex.match(/../g) ?? [], (each) => parseInt(each, 16)));
   };
 
   showState();
@@ -198,7 +248,6 @@ export const realBrick = (python) => {
   return {
     take, takeVirtual, carry, send,
     forget: () => talks.clear(),
-    get isConnected() { return wire !== null; },
     /** The session is gone with its Python. */
     drop: () => { if (wire) find("disconnect").click(); },
   };

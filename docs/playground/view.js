@@ -1,8 +1,11 @@
 // What the input says: findings, the bytes as a dump, the tree. Pointing at one of them marks all three; a click keeps it.
 
 import { filled, find, make } from "./elements.js";
+import { MOST_BYTES, NOTHING, overlap, partOf, rowAt, rowsByFrame, targetOf } from "./places.js";
 
-const MOST_BYTES = 4096;
+/** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {import("./places.js").Target} Target */
+
 const COLUMNS = 16, FEW_COLUMNS = 8;
 const WIDE = 560;
 const MOST_ROWS_SHOWN = 10;
@@ -10,24 +13,25 @@ const HEADER = [2, 4, 5, 7];
 /** A line of bytes below a finding, or of marks under them. */
 const EXCERPT = /^ *(\+\d+)? \|/;
 
-const bytesBox = find("bytes"), treeBox = find("tree"), findingsBox = find("findings");
+const bytesBox = find("bytes"), treeBox = find("tree"), findingsBox = find("findings"), readBox = find("read");
 
-let shown = { lines: [], frames: {}, findings: { blocks: [], places: [] } };
-let rowsOf = new Map();
-/** What is kept by a click, and what is marked now: frame, offset, length, and a row of the tree. */
-let kept = null, marked = null, isKept = false;
+/** @type {Answer} */
+let shown = NOTHING;
+let rowsOf = rowsByFrame([]);
+/** What is kept by a click, and what is marked now. @type {Target | null} */
+let kept = null, /** @type {Target | null} */ marked = null, isKept = false;
 /** The frame in the dump, and its first byte that is shown. */
 let dumped = { frame: -1, start: 0, columns: COLUMNS };
 
 /**
  * Shows an answer of Python.
  *
- * @param {object} answer  see Reading.answer
+ * @param {Answer} answer
  * @param {(code: string) => Promise<string>} explain  tells what a code means
  */
 export const view = (answer, explain) => {
   shown = answer;
-  rowsOf = Map.groupBy([...shown.lines.keys()].filter((number) => shown.lines[number][1] >= 0), (number) => shown.lines[number][1]);
+  rowsOf = rowsByFrame(shown.lines);
   find("read").hidden = !shown.lines.length;
   find("count").textContent = shown.count > 1 ? `${shown.count.toLocaleString("en")} frames` : "";
   showTree();
@@ -38,24 +42,15 @@ export const view = (answer, explain) => {
   fitDump();
   const first = shown.lines.findIndex(([, frame]) => frame >= 0);
   // The first message is chosen for the keyboard, but a mark over all of it would say nothing.
-  kept = first < 0 ? null : targetOf(first);
+  kept = first < 0 ? null : targetOf(shown.lines, first);
   if (kept) dump(kept.frame, 0);
 };
 
-const targetOf = (row) => {
-  const [, frame, offset, length] = shown.lines[row];
-  return { frame, offset, length, row };
-};
+/** Returns the line about a byte; -1 for none. @param {number} frame @param {number} at */
+const lineAt = (frame, at) => rowAt(shown.lines, rowsOf.get(frame) ?? [], at);
 
-/** The smallest row about a byte of a frame. */
-const rowAt = (frame, at) => {
-  let best = -1;
-  for (const row of rowsOf.get(frame) ?? []) {
-    const [, , offset, length] = shown.lines[row];
-    if (at >= offset && at < offset + length && (best < 0 || length <= shown.lines[best][3])) best = row;
-  }
-  return best;
-};
+/** Returns the number of bytes of a frame. @param {number} frame */
+const sizeOf = (frame) => (shown.frames[frame]?.length ?? 0) / 2;
 
 // The tree
 
@@ -66,7 +61,7 @@ const showTree = () => {
     if (frame >= 0) {
       row.role = "treeitem";
       row.id = `line-${number}`;
-      row.dataset.row = number;
+      row.dataset.row = String(number);
     }
     return row;
   }));
@@ -74,13 +69,16 @@ const showTree = () => {
 
 // Findings
 
+/** @param {(code: string) => Promise<string>} explain */
 const showFindings = (explain) => {
   const { summary, blocks, accepted, places } = shown.findings;
+  /** @type {HTMLElement[]} */
   const elements = summary ? [make("p", `${summary}\n`, "summary")] : [];
   find("check").hidden = !summary && !blocks.length;
   blocks.forEach((block, number) => {
     const box = make("div", "", `finding ${block.severity}`);
-    if (block.frame >= 0) box.dataset.block = number;
+    if (block.frame >= 0) box.dataset.block = String(number);
+    /** @type {HTMLElement | null} */
     let excerpt = null;
     for (const pieces of block.lines) {
       const text = pieces.map(([it]) => it).join("");
@@ -91,7 +89,10 @@ const showFindings = (explain) => {
         box.append(line);
       } else {
         // The bytes and their marks scroll together.
-        if (!excerpt) box.append(excerpt = make("div", "", "excerpt"));
+        if (!excerpt) {
+          excerpt = make("div", "", "excerpt");
+          box.append(excerpt);
+        }
         excerpt.append(line);
       }
     }
@@ -108,6 +109,7 @@ const showFindings = (explain) => {
   findingsBox.replaceChildren(...elements);
 };
 
+/** @param {string} code @param {(code: string) => Promise<string>} explain */
 const explanation = (code, explain) => {
   const more = make("details"), body = make("pre");
   more.append(make("summary", `What ${code} means`), body);
@@ -117,20 +119,21 @@ const explanation = (code, explain) => {
 
 // The dump
 
-const columns = () => (bytesBox.parentElement.clientWidth < WIDE ? FEW_COLUMNS : COLUMNS);
+const columns = () => (readBox.clientWidth < WIDE ? FEW_COLUMNS : COLUMNS);
 
 /** Makes the box high enough for the longest frame, so that pointing at another one moves nothing. */
 const fitDump = () => {
   const most = Math.max(0, ...Object.values(shown.frames).map((hex) => hex.length / 2));
-  bytesBox.style.setProperty("--rows", Math.min(Math.ceil(most / dumped.columns), MOST_ROWS_SHOWN));
+  bytesBox.style.setProperty("--rows", String(Math.min(Math.ceil(most / dumped.columns), MOST_ROWS_SHOWN)));
   if (!most) bytesBox.replaceChildren();
 };
 
+/** @param {number} frame @param {number} at */
 const dump = (frame, at) => {
   const hex = shown.frames[frame] ?? "";
-  const size = hex.length / 2;
+  const size = sizeOf(frame);
   // Of a long program only a part is in the page.
-  const start = size <= MOST_BYTES ? 0 : Math.max(0, Math.floor((at - MOST_BYTES / 2) / COLUMNS) * COLUMNS);
+  const start = partOf(size, at);
   const isThere = dumped.frame === frame && (size <= MOST_BYTES || (at >= dumped.start && at < dumped.start + MOST_BYTES));
   if (isThere) return;
   dumped = { frame, start, columns: dumped.columns };
@@ -152,10 +155,10 @@ const dump = (frame, at) => {
       const byte = make("span", text, tint ? "tint" : "");
       byte.role = "option";
       byte.id = `byte-${index}`;
-      byte.dataset.at = index;
+      byte.dataset.at = String(index);
       const number = parseInt(text, 16);
       const letter = make("samp", number > 31 && number < 127 ? String.fromCharCode(number) : "·");
-      letter.dataset.letter = index;
+      letter.dataset.letter = String(index);
       letters.append(letter);
       line.append(byte);
     }
@@ -169,7 +172,7 @@ const dump = (frame, at) => {
 
 // Marks
 
-/** Marks a target in all three, and takes the marks of the one before away. */
+/** Marks a target in all three, and takes the marks of the one before away. @type {(target: Target | null) => void} */
 const mark = (target) => {
   for (const element of document.querySelectorAll("#bytes .chosen, #bytes .named, #tree .chosen, #findings .chosen")) {
     element.classList.remove("chosen", "named");
@@ -181,11 +184,11 @@ const mark = (target) => {
   dump(frame, offset);
   const at = target.at ?? offset;
   for (let index = offset; index < offset + length; index++) {
-    const byte = find(`byte-${index}`);
+    const byte = byteAt(index);
     byte?.classList.add("chosen");
     byte?.setAttribute("aria-selected", "true");
   }
-  for (const letter of bytesBox.querySelectorAll("[data-letter]")) {
+  for (const letter of /** @type {NodeListOf<HTMLElement>} */ (bytesBox.querySelectorAll("[data-letter]"))) {
     const index = Number(letter.dataset.letter);
     if (index >= offset && index < offset + length) letter.classList.add("named");
   }
@@ -195,13 +198,14 @@ const mark = (target) => {
   line?.setAttribute("aria-selected", "true");
   treeBox.setAttribute("aria-activedescendant", line?.id ?? "");
   shown.findings.blocks.forEach((block, number) => {
-    const isAbout = block.codes.length && block.frame === frame && block.offset < offset + length && offset < block.offset + block.length;
-    if (isAbout && (length < (shown.frames[frame]?.length ?? 0) / 2 || target.block === number)) {
+    const isAbout = block.codes.length && block.frame === frame && overlap(block, target);
+    if (isAbout && (length < sizeOf(frame) || target.block === number)) {
       findingsBox.querySelector(`[data-block="${number}"]`)?.classList.add("chosen");
     }
   });
 };
 
+/** @param {Element} box @param {Element | null} element */
 const scroll = (box, element) => {
   if (!element) return;
   const { top, bottom } = element.getBoundingClientRect(), outer = box.getBoundingClientRect();
@@ -209,34 +213,39 @@ const scroll = (box, element) => {
   else if (bottom > outer.bottom) box.scrollTop += bottom - outer.bottom;
 };
 
+/** @param {Target} target */
 const keep = (target) => {
   kept = target;
   isKept = true;
   mark(target);
   scroll(treeBox, treeBox.children[target.row]);
-  scroll(bytesBox, find(`byte-${target.at ?? target.offset}`));
+  scroll(bytesBox, byteAt(target.at ?? target.offset));
 };
 
-/** What an event is about: a row, a byte or letter, a finding. */
+/** Returns the byte in the dump, if it is there. @param {number} at */
+const byteAt = (at) => document.getElementById(`byte-${at}`);
+
+/** What an event is about: a row, a byte or letter, a finding. @param {Event} event @returns {Target | null} */
 const pointed = ({ target }) => {
-  const element = target.closest("[data-row], [data-at], [data-letter], [data-block]");
-  if (!element) return null;
-  if (element.dataset.row !== undefined) return targetOf(Number(element.dataset.row));
+  const element = target instanceof Element ? target.closest("[data-row], [data-at], [data-letter], [data-block]") : null;
+  if (!(element instanceof HTMLElement)) return null;
+  if (element.dataset.row !== undefined) return targetOf(shown.lines, Number(element.dataset.row));
   if (element.dataset.block !== undefined) {
     const number = Number(element.dataset.block);
     const { frame, offset, length, line } = shown.findings.blocks[number];
-    return { frame, offset, length, line, block: number, row: rowAt(frame, offset) };
+    return { frame, offset, length, line, block: number, row: lineAt(frame, offset) };
   }
   const at = Number(element.dataset.at ?? element.dataset.letter);
   return byteTarget(dumped.frame, at);
 };
 
+/** @param {number} frame @param {number} at @returns {Target} */
 const byteTarget = (frame, at) => {
-  const row = rowAt(frame, at);
-  return row < 0 ? { frame, offset: at, length: 1, row, at } : { ...targetOf(row), at };
+  const row = lineAt(frame, at);
+  return row < 0 ? { frame, offset: at, length: 1, row, at } : { ...targetOf(shown.lines, row), at };
 };
 
-/** Calls a function when a finding is chosen that is in a line of the text. */
+/** Calls a function when a finding is chosen that is in a line of the text. @param {(line: number) => void} choose */
 export const onLine = (choose) => {
   findingsBox.addEventListener("click", (event) => {
     const target = pointed(event);
@@ -250,31 +259,31 @@ for (const box of [bytesBox, treeBox, findingsBox]) {
     const target = pointed(event);
     if (!target) return;
     mark(target);
-    if (box !== bytesBox) scroll(bytesBox, find(`byte-${target.offset}`));
+    if (box !== bytesBox) scroll(bytesBox, byteAt(target.offset));
   });
   box.addEventListener("pointerleave", (event) => {
     if (event.pointerType !== "touch" && marked !== kept) mark(isKept ? kept : null);
   });
   box.addEventListener("click", (event) => {
-    if (event.target.closest("a, summary, details")) return;
+    if (event.target instanceof Element && event.target.closest("a, summary, details")) return;
     const target = pointed(event);
     if (target) keep(target);
   });
 }
 treeBox.addEventListener("keydown", (event) => {
-  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  const step = { ArrowDown: 1, ArrowUp: -1 }[/** @type {"ArrowDown"} */ (event.key)];
   if (!step || !kept) return;
   event.preventDefault();
   let next = kept.row + step;
   while (shown.lines[next] && shown.lines[next][1] < 0) next += step;
-  if (shown.lines[next]) keep(targetOf(next));
+  if (shown.lines[next]) keep(targetOf(shown.lines, next));
 });
 bytesBox.addEventListener("keydown", (event) => {
-  const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: dumped.columns, ArrowUp: -dumped.columns }[event.key];
+  const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: dumped.columns, ArrowUp: -dumped.columns }[/** @type {"ArrowRight"} */ (event.key)];
   if (!step || !kept) return;
   event.preventDefault();
   const next = (kept.at ?? kept.offset) + step;
-  if (next >= 0 && next < (shown.frames[kept.frame]?.length ?? 0) / 2) keep(byteTarget(kept.frame, next));
+  if (next >= 0 && next < sizeOf(kept.frame)) keep(byteTarget(kept.frame, next));
 });
 new ResizeObserver(() => {
   const now = columns();
@@ -283,4 +292,4 @@ new ResizeObserver(() => {
   fitDump();
   if (kept) dump(kept.frame, kept.offset);
   mark(marked);
-}).observe(bytesBox.parentElement);
+}).observe(readBox);

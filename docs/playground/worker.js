@@ -35,7 +35,7 @@ onmessage = async ({ data: { number, call, given, isFollowed } }) => {
 };
 
 started.then((bridge) => {
-  say({ ready: true });
+  say({ ready: "plain" });
   if (self.name !== "brick") return;
   let before = performance.now();
   setInterval(() => {

@@ -644,6 +644,49 @@ def test_what_does_not_only_read_asks_first(page: Page) -> None:
     assert len(page.fact("sent")) == 1
 
 
+def test_the_button_says_where_a_frame_goes_and_whether_it_was_sent(page: Page) -> None:
+    page.read("OUTPUT_START(0, 1)")
+    page.click("send")
+    page.wait(lambda: page.text("send") == "Sent")
+    page.wait(lambda: page.text("send") == "Send to the brick")
+    # What it said before a connection is not said again.
+    page.connect("usb")
+    assert page.text("send") == "Send to the real brick"
+    page.read(BATTERY)
+    page.click("send")
+    page.wait(lambda: page.text("send") == "Sent")
+    page.wait(lambda: page.text("send") == "Send to the real brick")
+    # Nor is "Sent" said of what was not.
+    page.read("OUTPUT_START(0, 1)")
+    page.run("heard = []; new MutationObserver(() => heard.push(send.textContent)).observe(send, {childList: true})")
+    for key in (Keys.ENTER, Keys.ESCAPE):
+        page.click("send")
+        page.wait(lambda: page.is_shown("allow"))
+        page.browser.switch_to.active_element.send_keys(key)
+        page.wait(lambda: not page.is_shown("allow"))
+    page.click("disconnect")
+    page.wait(lambda: page.text("send") == "Send to the brick")
+    assert page.run("return heard") == ["Send to the brick"]
+
+
+def test_what_belongs_to_an_older_input_is_not_shown(page: Page) -> None:
+    page.read(TONE)
+    page.wait(lambda: "accepted" in page.text("findings"))
+    # Before Python has had its turn.
+    long = "\n".join([f"0x|{BATTERY[2:]}"] * 3000)
+    seen = page.run(
+        "input.value = arguments[0]; input.dispatchEvent(new Event('input'));"
+        "return [findings, tree, frame].map((each) => each.textContent)",
+        long,
+    )
+    assert seen == ["", "", ""]
+    page.type("")
+    page.read(TONE)
+    dim = "input.value = ''; input.dispatchEvent(new Event('input')); return document.body.classList.contains('stale')"
+    assert page.run(dim)
+    page.wait(lambda: not page.run("return document.body.classList.contains('stale')"))
+
+
 def test_a_brick_is_compared_with_the_virtual_one(page: Page) -> None:
     page.connect("usb")
     page.click("computes")

@@ -1,0 +1,148 @@
+// The input: what is typed, pasted, dropped, opened, chosen or linked to, and the address that says what it is.
+
+import { fragmentOf, linkTo, textOf } from "./address.js";
+import { edit, replace } from "./editor.js";
+import { copy, find, make } from "./elements.js";
+import { EXAMPLES } from "./examples.js";
+import { home, LITTLE, look, source } from "./reading.js";
+import { change, state } from "./state.js";
+import { onLine } from "./view.js";
+
+const MOST_FILE = 32 << 20;
+const MOST_EDITED = 100_000;
+
+const input = find("input", HTMLTextAreaElement), file = find("file", HTMLInputElement), lesson = find("lesson", HTMLSelectElement);
+
+// What is typed
+
+const changed = () => {
+  const text = input.value;
+  file.value = "";
+  input.placeholder = "";
+  change({ file: "", note: "" });
+  find("start").hidden = text !== "";
+  setAddress(text);
+  look(text.length, true, "look", text);
+};
+input.addEventListener("input", changed);
+
+/** @param {string} text */
+const setAddress = async (text) => {
+  const fragment = text.length <= LITTLE ? fragmentOf(text) : null;
+  // A short text is in the address at once.
+  put(text && text.length <= LITTLE ? `#text=${encodeURIComponent(text)}` : "");
+  const found = await (fragment ?? fragmentOf(text));
+  if (found && input.value === text && !state().file) put(found);
+};
+/** @param {string} fragment */
+const put = (fragment) => {
+  try { history.replaceState(null, "", fragment || location.pathname + location.search); } catch { /* too often for Safari */ }
+};
+
+// Files
+
+/** @param {File | undefined} opened */
+const open = async (opened) => {
+  if (!opened) return;
+  if (opened.size > MOST_FILE) {
+    change({ error: `${opened.name} is larger than ${MOST_FILE >> 20} MiB; use ev3proto on the command line.` });
+    return;
+  }
+  const bytes = new Uint8Array(await opened.arrayBuffer());
+  const text = new TextDecoder().decode(bytes);
+  if (bytes.length <= MOST_EDITED && !/[\0-\x08\ufffd]/.test(text)) {
+    replace(text.replaceAll("\r\n", "\n"));
+    return;
+  }
+  if (input.value) replace("");
+  file.value = "";
+  change({ file: opened.name, note: "" });
+  input.placeholder = opened.name;
+  find("start").hidden = true;
+  put("");
+  look(bytes.length, false, "open_file", opened.name, bytes);
+};
+file.onchange = () => open(file.files?.[0]);
+document.ondragover = (event) => { event.preventDefault(); document.body.classList.add("dropping"); };
+document.ondragleave = (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); };
+document.ondrop = (event) => {
+  event.preventDefault();
+  document.body.classList.remove("dropping");
+  open(event.dataTransfer?.files[0]);
+};
+
+// Examples
+
+find("start").querySelector(".row")?.append(...EXAMPLES.map(([title, text]) => {
+  const button = make("button", title);
+  button.onclick = () => edit(text);
+  return button;
+}));
+fetch(new URL("./lesson.json", import.meta.url)).then((found) => found.json()).then((/** @type {{title: string, frame: string}[]} */ found) => {
+  for (const { title, frame } of found) {
+    const option = make("option", title);
+    option.value = frame;
+    lesson.append(option);
+  }
+});
+lesson.onchange = async () => {
+  const frame = lesson.value;
+  lesson.value = "";
+  if (frame) replace((await home().ask("as_assembly", frame)).trim());
+};
+
+// Fixes, and the lines of findings
+
+find("fix").onclick = async () => {
+  const before = input.value;
+  const fixed = await source().ask("fix");
+  if (input.value !== before) return;
+  if (fixed === before) change({ note: "The way in which this is written cannot be edited; the help says what to change." });
+  else replace(fixed);
+};
+
+onLine((line) => {
+  if (state().file) return;
+  const lines = input.value.split("\n");
+  const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+  const top = (input.scrollHeight / lines.length) * (line - 1);
+  if (!matchMedia("(pointer: coarse)").matches) input.focus({ preventScroll: true });
+  input.setSelectionRange(begin, begin + lines[line - 1].length);
+  if (top < input.scrollTop || top > input.scrollTop + input.clientHeight - 20) input.scrollTop = top - input.clientHeight / 2;
+});
+
+// Links
+
+find("link").onclick = async () => {
+  if (state().file) change({ note: "A file is not part of a link. Upload it where you ask, and name it there." });
+  else if (!input.value) change({ note: "There is nothing to link to yet." });
+  else {
+    const link = await linkTo(input.value);
+    if (link) copy(link, "link");
+    else change({ note: `The text is too long for a link: ${input.value.length.toLocaleString("en")} characters. Attach it as a file where you ask.` });
+  }
+};
+
+/** Opens what the address has. Returns whether it has something. */
+const openLink = async () => {
+  try {
+    const text = await textOf(location.hash);
+    if (text === null) return false;
+    if (text !== input.value) {
+      input.value = text;
+      change({ file: "" });
+      find("start").hidden = text !== "";
+      look(text.length, false, "look", text);
+    }
+  } catch (error) {
+    change({ error: error instanceof Error ? error.message : String(error) });
+  }
+  return true;
+};
+window.onhashchange = openLink;
+
+/** Reads what is there when Python is ready: the link, or what was typed meanwhile. */
+export const readFirst = async () => {
+  find("start").hidden = input.value !== "";
+  if (!await openLink()) look(input.value.length, false, "look", input.value);
+};

@@ -1,0 +1,28 @@
+// The Send button: what is in the input goes to the real brick, or to the virtual one if none is connected.
+
+import { showBench } from "./bench.js";
+import { find } from "./elements.js";
+import { current, home, source } from "./reading.js";
+import { change, flash, state } from "./state.js";
+
+/**
+ * Has the button send.
+ *
+ * @param {import("./real_brick.js").Real} real
+ */
+export const sending = (real) => {
+  find("send").onclick = async () => {
+    await current();
+    const given = await source().ask("to_send");
+    real.forget();
+    const isReal = state().connection !== "none";
+    const { isSent, error } = isReal ? await real.send(given) : outcome(await home().ask("play", JSON.stringify(given)));
+    change({ error });
+    if (!isSent) return;
+    flash("send", "Sent");
+    if (getComputedStyle(find("show-brick")).display !== "none") showBench(true);
+  };
+};
+
+/** @param {string} error */
+const outcome = (error) => ({ isSent: !error, error });

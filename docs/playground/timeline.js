@@ -1,0 +1,23 @@
+// Draws a timeline, a chart of Vega-Lite. This module is loaded when the first one is drawn.
+
+import "./vega/vega.min.js";
+import "./vega/vega-lite.min.js";
+import { expressionInterpreter } from "./vega/vega-interpreter.js";
+
+/** The share of a narrow page that names get, and its limits, in pixels. */
+const NAMES = 0.36, LEAST_NAMES = 110, LEAST_ROOM = 120, NARROW = 700, SCROLLBAR = 40;
+
+/** Draws a chart as wide as a place. @param {any} chart @param {HTMLElement} place */
+export const drawTimeline = async (chart, place) => {
+  const { vega, vegaLite } = /** @type {any} */ (globalThis);
+  /** @param {string} name */
+  const parameter = (name) => chart.params.find((/** @type {{name: string}} */ each) => each.name === name);
+  const width = place.clientWidth - SCROLLBAR;
+  parameter("margin").value = Math.min(parameter("margin").value, Math.max(LEAST_NAMES, NAMES * width));
+  if (width < NARROW) parameter("kinds").value = 0;
+  parameter("room").value = Math.max(LEAST_ROOM, width - parameter("margin").value);
+  for (const each of chart.vconcat) each.width = parameter("room").value;
+  const { spec } = vegaLite.compile(chart);
+  const flow = vega.parse(spec, null, { ast: true });
+  await new vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter }).runAsync();
+};

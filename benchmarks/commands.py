@@ -33,9 +33,9 @@ def _value(rng: random.Random, parameter: Parameter) -> object:
 def _operation(rng: random.Random, schema: OperationSchema) -> ev3proto.Operation:
     values: list[object] = []
     for parameter in schema.declaration.parameters:
-        if parameter.type is Type.COUNT:
+        if parameter.counts:
             values.append([ev3proto.LV(4 * rng.randrange(15)) for _ in range(rng.randint(1, 4))])
-        elif parameter.type is Type.VALUES:
+        elif parameter.is_list:
             values[-1] = 3
             values.append([rng.randint(-31, 31) for _ in range(3)])
         else:

@@ -18,12 +18,13 @@ _u32 = struct.Struct("<I").unpack_from
 _f32 = struct.Struct("<f").unpack_from
 _header = struct.Struct("<HHBH").unpack_from
 
-Plain = tuple[str, tuple[Type, ...]]
+Plain = tuple[str, tuple[Type, ...], Type | None]
 
 PLAIN: dict[int, Plain] = {}
 FAMILIES: dict[int, dict[int, Plain]] = {}
 for _entry in operations().values():
-    _shape = (_entry.name, tuple(parameter.type for parameter in _entry.parameters))
+    _listed = None if _entry.tail is None else _entry.tail.element.type
+    _shape = (_entry.name, tuple(parameter.type for parameter in _entry.fixed), _listed)
     if _entry.command is None:
         PLAIN[_entry.opcode.number] = _shape
     else:
@@ -65,22 +66,17 @@ def decode(frame: bytes) -> list[tuple[str, list[object]]]:
         code = frame[at]
         at += 1
         if code in PLAIN:
-            name, kinds = PLAIN[code]
+            name, kinds, listed = PLAIN[code]
         else:
             number, at = argument(frame, at, Type.DATA8)
-            name, kinds = FAMILIES[code][number]  # type: ignore[index]
+            name, kinds, listed = FAMILIES[code][number]  # type: ignore[index]
         values: list[object] = []
         for kind in kinds:
-            if kind is Type.VALUES:
-                for _ in range(values[-1]):  # type: ignore[call-overload]
-                    value, at = argument(frame, at, kind)
-                    values.append(value)
-                continue
             value, at = argument(frame, at, kind)
             values.append(value)
-            if kind is Type.COUNT:
-                for _ in range(value):  # type: ignore[call-overload]
-                    value, at = argument(frame, at, kind)
-                    values.append(value)
+        if listed is not None:
+            for _ in range(values[-1]):  # type: ignore[call-overload]
+                value, at = argument(frame, at, listed)
+                values.append(value)
         found.append((name, values))
     return found

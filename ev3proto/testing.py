@@ -48,7 +48,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.functions import drafts
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
+from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import (
     CONSTANT,
     GLOBAL,
@@ -56,10 +56,10 @@ from ev3proto.tables.encoding import (
     JUMP,
     LOCAL,
     NAN_FLOAT,
-    RANGES,
     SHORT,
     STRING_CODING,
     TEXT,
+    limits_of,
 )
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
@@ -125,11 +125,12 @@ _EDGES = (-0x8000, -0x7FFF, -129, -128, -127, -33, -32, -1, 0, 31, 32, 127, 128,
 
 
 @cache
-def _numbers(kind: Type) -> SearchStrategy[int]:
-    """Returns the numbers of a type, including its "not a number"."""
-    limits = RANGES[kind]
+def _numbers(parameter: Parameter) -> SearchStrategy[int]:
+    """Returns the numbers of a parameter's type, including its "not a number"."""
+    limits = limits_of(parameter)
+    assert limits is not None
     edges = [number for number in (*_EDGES, limits.low, limits.high) if limits.low <= number <= limits.high]
-    special = [] if kind is Type.COUNT else [limits.nan]
+    special = [] if parameter.counts else [limits.nan]
     return st.integers(limits.low, limits.high) | st.sampled_from(edges + special)
 
 
@@ -141,18 +142,16 @@ def _constants(parameter: Parameter) -> SearchStrategy[PlainValue]:
     if parameter.type is Type.DATAF:
         numbers: SearchStrategy[PlainValue] = st.floats(width=32) | _quarters
     else:
-        numbers = _numbers(parameter.type)
+        numbers = _numbers(parameter)
     if parameter.enum is not None:
         numbers = st.sampled_from(list(parameter.enum.members)) | numbers
     # An array may be given as a string in the frame.
     return numbers | _texts if parameter.length is not None else numbers
 
 
-def _element_of(parameter: Parameter, announced: Type | None = None) -> Parameter:
-    """Returns one element of a list as a parameter; `announced` is the type that another argument gives."""
-    kind = parameter.element if isinstance(parameter.element, Type) else announced or Type.ARRAY_TYPED
-    direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
-    return parameter._replace(type=kind, direction=direction, element=None)
+def _element_of(parameter: Parameter, announced: Type | None) -> Parameter:
+    """Returns an element of a list as a parameter; `announced` is the type that another argument gives."""
+    return parameter.listed if announced is None else parameter.listed._replace(type=announced)
 
 
 @cache
@@ -162,8 +161,8 @@ def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
     Inputs get numbers in the type's range, floats, names of the enumeration's members, texts and variables; outputs
     get variables; lists get a list of these (whole numbers and variables if another argument gives the type).
     """
-    if parameter.type in LISTS:
-        return st.lists(_plain_values(_element_of(parameter)), max_size=MOST_ELEMENTS)
+    if parameter.is_list:
+        return st.lists(_plain_values(parameter.listed), max_size=MOST_ELEMENTS)
     return _plain_values(parameter)
 
 
@@ -180,8 +179,7 @@ def _announced(teller: Parameter, value: OperationValue) -> Type | None:
 
 def _teller(declaration: Declaration) -> str | None:
     """Returns the name of the parameter that gives the type of the list at the end, or None."""
-    last = declaration.parameters[-1].element if declaration.parameters else None
-    return last if isinstance(last, str) else None
+    return None if declaration.tail is None else declaration.tail.typed_by
 
 
 def _most(element: Parameter) -> int:
@@ -206,10 +204,10 @@ def _values(draw: DrawFn, declaration: Declaration, plain: Callable[[Parameter],
     values: list[Any] = []
     announced: Type | None = None
     for parameter in declaration.parameters:
-        if parameter.type in LISTS:
+        if parameter.is_list:
             element = _element_of(parameter, announced)
             elements = draw(st.lists(plain(element), max_size=_most(element)))
-            if parameter.type is Type.VALUES:
+            if not parameter.counts:
                 values[-1] = len(elements)
             values.append(elements)
         else:
@@ -296,8 +294,7 @@ def _forms_of_constants(parameter: Parameter) -> SearchStrategy[bytes]:
         heads = [bytes((first,)) for first in _FIRST_BYTES[CONSTANT, 4]]
         ways: SearchStrategy[bytes] = st.builds(lambda head, four: head + four, st.sampled_from(heads), _floats)
     else:
-        plain = kind is Type.COUNT
-        ways = _numbers(kind).flatmap(lambda number: _forms(CONSTANT, number, signed=True, plain=plain))
+        ways = _numbers(parameter).flatmap(lambda number: _forms(CONSTANT, number, signed=True, plain=parameter.counts))
     if kind is Type.LABEL:
         ways |= st.integers(-128, 127).flatmap(lambda number: _forms(JUMP, number, signed=True))
     return ways | _forms_of_text() if parameter.length is not None else ways
@@ -310,10 +307,10 @@ def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
     Includes handle and address bits, labels and the old string form. For a count: the number alone, without what it
     counts; for a list of values: one of its elements.
     """
-    if parameter.type is Type.COUNT:
+    if parameter.counts:
         return _forms_of_constants(parameter)
-    if parameter.type is Type.VALUES:
-        parameter = _element_of(parameter)
+    if parameter.is_list:
+        parameter = parameter.listed
     return _forms_of_variables() if parameter.is_output else _forms_of_constants(parameter) | _forms_of_variables()
 
 
@@ -325,11 +322,11 @@ def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
         pieces.append(draw(_forms(CONSTANT, declaration.command.number, signed=True, plain=True)))
     announced: Type | None = None
     for parameter in declaration.parameters:
-        if parameter.type in LISTS:
+        if parameter.is_list:
             element = _element_of(parameter, announced)
             elements = draw(st.lists(encoded_arguments(element), max_size=_most(element)))
             count = draw(_forms(CONSTANT, len(elements), signed=True, plain=True))
-            if parameter.type is Type.VALUES:
+            if not parameter.counts:
                 pieces[-1] = count
             else:
                 pieces.append(count)

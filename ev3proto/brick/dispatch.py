@@ -68,14 +68,15 @@ def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:
         Type.DATAF: Machine.float32,
         Type.STRING: Machine.text,
         Type.ARRAY_TYPED: Machine.place,
-        Type.COUNT: Machine.places,
     }
     unknown = handler.places - {parameter.name for parameter in declaration.parameters}
     if unknown:
         raise ValueError(f"{declaration.name} has no parameter {', '.join(sorted(unknown))}")
 
     def reader(parameter: Parameter) -> Reader:
-        if parameter.type is Type.VALUES:
+        if parameter.counts:
+            return Machine.places
+        if parameter.is_list:
             raise ValueError(f"the handler of {declaration.name} has to read its values itself: raw=True")
         is_array = parameter.length is not None and parameter.type is not Type.STRING
         if parameter.direction is not Direction.IN or is_array or parameter.name in handler.places:

@@ -86,8 +86,8 @@ def _is_in_place(argument: Argument, local_size: int, global_size: int) -> bool:
     if parameter.is_output:
         return False
     is_text = argument.form.kind == TEXT
-    if is_text or isinstance(value, str) or Type.STRING in (parameter.type, parameter.element):
-        return is_text and Type.STRING in (parameter.type, parameter.element)
+    if is_text or isinstance(value, str) or parameter.type is Type.STRING:
+        return is_text and parameter.type is Type.STRING
     domain = domain_of(parameter)
     return domain is None or domain.covers(value)
 

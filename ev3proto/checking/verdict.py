@@ -36,8 +36,8 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size,
 from ev3proto.schema.instructions import CMD
 from ev3proto.semantics.facts import Requirement, requirement
 from ev3proto.tables import operations, with_effect
-from ev3proto.tables.declaration import LISTS, Declaration, Effect, Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, RANGES, Encoding
+from ev3proto.tables.declaration import Declaration, Effect, Type
+from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, Encoding
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
 from ev3proto.tables.validation import CMD_TABLES, SPINNING, TABLE_SIZE
 
@@ -94,7 +94,7 @@ class _Expected(NamedTuple):
 
     readers: tuple[Reader, ...] = ()  # read the parameters before the elements of a list
     requirements: tuple[Requirement, ...] = ()  # the requirements on each of them
-    listed: Type | None = None  # COUNT or VALUES if it ends in a list
+    has_tail: bool = False  # whether the last of them counts the elements of a list
 
 
 class Validator:
@@ -107,7 +107,7 @@ class Validator:
         known = operations(dialect)
         for declaration in known.values():
             if declaration.command is None and Effect.NEVER_RUNS not in declaration.effects:
-                self.opcodes[declaration.opcode.number] = _expected(declaration.parameters)
+                self.opcodes[declaration.opcode.number] = _expected(declaration)
         tables = _cmd_tables([entry for entry in known.values() if knows_newer or not entry.is_newer])
         for declaration in known.values():
             if declaration.command is not None:
@@ -159,7 +159,7 @@ class Validator:
             is_label = check.kind is Type.LABEL
             if (is_label or argument is found[0]) and check.numbers and _number(argument) not in check.numbers:
                 return Refusal(Reason.LABEL if is_label else Reason.RANGE, argument.offset)
-        return after if expected.listed is None else _after_list(data, after, end, expected.listed, found[-1])
+        return _after_list(data, after, end, found[-1]) if expected.has_tail else after
 
 
 class Refusal(NamedTuple):
@@ -170,15 +170,15 @@ class Refusal(NamedTuple):
     spins: bool = False
 
 
-def _after_list(data: bytes, at: int, end: int, kind: Type, counter: Argument) -> int | Refusal:
+def _after_list(data: bytes, at: int, end: int, counter: Argument) -> int | Refusal:
     """Returns the offset after the elements of a list, which are not checked; beyond `end` if they do not fit."""
     count = _number(counter)
-    if kind is Type.VALUES:
+    if not counter.parameter.counts:
         # Rule 10. Each value takes at least one byte: more values than bytes cannot fit.
         count &= 0xFFFFFFFF
         if count > end - at:
             return Refusal(Reason.CUT_OFF, counter.offset, count >= SPINNING)
-    elif counter.is_variable or not 0 <= count <= RANGES[Type.COUNT].high:
+    elif counter.is_variable or not 0 <= count <= COUNTS.high:
         # Rule 9. A bad count leaves the operation valid (rule 3), without elements.
         return at
     try:
@@ -196,22 +196,22 @@ def _number(argument: Argument) -> int:
     return value | _OF_GLOBAL if argument.form.kind == GLOBAL and argument.form.width == 0 else value
 
 
-def _expected(parameters: Sequence[Parameter]) -> _Expected:
-    listed = parameters[-1].type if parameters and parameters[-1].type in LISTS else None
-    fixed = parameters[:-1] if listed is Type.VALUES else parameters
-    return _Expected(tuple((parameter, _FORMS) for parameter in fixed), tuple(map(requirement, fixed)), listed)
+def _expected(declaration: Declaration) -> _Expected:
+    fixed = declaration.fixed
+    readers = tuple((parameter, _FORMS) for parameter in fixed)
+    return _Expected(readers, tuple(map(requirement, fixed)), declaration.tail is not None)
 
 
 def _cmd_tables(known: Sequence[Declaration]) -> dict[str, Sequence[_Expected]]:
     """Returns, by name of a table of CMDs, what follows each CMD; nothing for unknown CMDs."""
-    commands = [(entry.opcode.validator_table, entry.command, entry.parameters) for entry in known]
-    names = dict.fromkeys((*CMD_TABLES, *(name for name, command, _ in commands if command is not None)))
+    commands = [entry for entry in known if entry.command is not None]
+    names = dict.fromkeys((*CMD_TABLES, *(entry.opcode.validator_table for entry in commands)))
     row: list[_Expected] = []
     for name in names:
         found = [_Expected()] * TABLE_SIZE
-        for table, command, parameters in commands:
-            if table == name and command is not None:
-                found[command.number] = _expected(parameters)
+        for entry in commands:
+            if entry.opcode.validator_table == name and entry.command is not None:
+                found[entry.command.number] = _expected(entry)
         row += found
     # Rule 8. The firmware does not expect a negative CMD: it reads before its table, which is in the previous table.
     tables: dict[str, Sequence[_Expected]] = {}

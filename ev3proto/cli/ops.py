@@ -210,7 +210,7 @@ def _parameter(parameter: Parameter) -> Iterator[Spans]:
     line: Spans = [
         ("  ", Role.PLAIN),
         (parameter.name.ljust(12), Role.NAME),
-        (f" {parameter.direction!s:5} {parameter.type.label:12}", Role.VALUE),
+        (f" {parameter.direction!s:5} {parameter.label:12}", Role.VALUE),
         (f" {parameter.text}", Role.PLAIN),
     ]
     pieces = list(facts(parameter))
@@ -230,7 +230,7 @@ def _parameter(parameter: Parameter) -> Iterator[Spans]:
 def _parameter_record(parameter: Parameter) -> dict[str, Any]:
     entry: dict[str, Any] = {
         "name": parameter.name,
-        "type": parameter.type.label,
+        "type": parameter.label,
         "direction": str(parameter.direction),
         "text": parameter.text,
     }

@@ -9,7 +9,6 @@ import math
 import re
 from collections.abc import Container, Sequence
 from enum import StrEnum
-from itertools import pairwise
 
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
@@ -17,7 +16,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, footprints, whole_number
 from ev3proto.tables.declaration import Effect, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, RANGES, TEXT
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT, limits_of
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MAX_LOCALS
 from ev3proto.tables.paths import WHOLE, is_allowed
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
@@ -186,7 +185,6 @@ def _is_bounded(
     # Older firmware takes the arguments of an unknown CMD for operations. A count in a variable is its index when the
     # firmware checks a command, and its value when it runs it.
     declaration, cmd = operation.declaration, operation.cmd
-    counts = {one.name for one, after in pairwise(declaration.parameters) if after.type is Type.VALUES}
     texts = {one.length for one in declaration.parameters if one.is_output and one.type is Type.STRING}
     if declaration.is_newer or (cmd is not None and (cmd.form.handle or cmd.form.address)):
         return False
@@ -197,8 +195,9 @@ def _is_bounded(
         if parameter.role is Role.JUMP:
             is_fine = (form.kind, number if number is None else operation.offset + operation.length + number) in targets
             is_fine = (JUMP, argument.value) in targets if form.kind == JUMP else is_fine
-        elif parameter.type is Type.COUNT or parameter.name in counts:
-            is_fine = number is not None and 0 <= number <= RANGES[parameter.type].high
+        elif declaration.tail is not None and parameter is declaration.tail.counter:
+            limits = limits_of(parameter)
+            is_fine = number is not None and limits is not None and 0 <= number <= limits.high
         elif parameter.name in texts:
             is_fine = number is not None and 0 < number <= _LONGEST_TEXT
         elif parameter.role is Role.FORMAT:

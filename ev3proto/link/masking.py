@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from itertools import pairwise
 
 from ev3proto.messages import (
     Argument,
@@ -100,7 +99,7 @@ def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
     return all(
         not (operation.declaration.is_newer or operation.declaration.is_jump)
         and all(map(_is_public, operation.arguments))
-        and not any(parameter.type is Type.VALUES for parameter in operation.declaration.parameters)
+        and not any(parameter.is_list and not parameter.counts for parameter in operation.declaration.parameters)
         for operation in message.operations
     )
 
@@ -136,10 +135,8 @@ def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
 @cache
 def _lengths(declaration: Declaration) -> frozenset[object]:
     """Returns the names of the parameters that give the length of a text, an array or a list."""
-    parameters = declaration.parameters
-    counts = [one.name for one, after in pairwise(parameters) if after.type is Type.VALUES]
-    counts += [parameter.name for parameter in parameters if parameter.type is Type.COUNT]
-    return frozenset((*counts, *(parameter.length for parameter in parameters)))
+    counts = () if declaration.tail is None else (declaration.tail.counter.name,)
+    return frozenset((*counts, *(parameter.length for parameter in declaration.parameters)))
 
 
 def _argument(argument: Argument) -> bytes:

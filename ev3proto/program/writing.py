@@ -364,7 +364,7 @@ def _table_size(parameters: Sequence[ProgramParameter]) -> int:
     return 1 + sum(1 if parameter.size is None else 2 for parameter in parameters)
 
 
-_BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.COUNT, Type.VALUES, Type.LABEL)
+_BUFFERS = (Type.STRING, Type.ARRAY_TYPED, Type.LABEL)
 
 
 def _add_uses(step: Operation, uses: Mapping[str, dict[int, Type]]) -> None:

@@ -17,7 +17,7 @@ from ev3proto.messages import GV, Argument, Operation, Variable
 from ev3proto.schema.argument import ArgumentSchema
 from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Parameter, Type, declarations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Parameter, Tail, Type, declarations
 from ev3proto.tables.encoding import CONSTANT, RANGES
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import MAX_FRAME
@@ -87,13 +87,13 @@ class CountField(ArgumentField):
 class ArgumentsField(Field[list[Any], bytes]):
     """A list of arguments, counted by another field. Their type is declared, or given by a third field."""
 
-    __slots__ = ["counter", "parameter"]
+    __slots__ = ["counter", "tail"]
     islist = 1
 
-    def __init__(self, parameter: Parameter, counter: str) -> None:
-        self.parameter = parameter
+    def __init__(self, tail: Tail, counter: str) -> None:
+        self.tail = tail
         self.counter = counter
-        super().__init__(parameter.name, [], "s")
+        super().__init__(tail.element.name, [], "s")
 
     def any2i(self, pkt: Packet | None, x: Any) -> Any:  # noqa: ARG002
         """Returns a list, also for a single value."""
@@ -128,14 +128,10 @@ class ArgumentsField(Field[list[Any], bytes]):
 
     def _schema(self, pkt: Packet | None, index: int) -> ArgumentSchema:
         """Returns the schema of an element."""
-        element = self.parameter.element
-        if isinstance(element, str):
-            number = None if pkt is None else number_of(pkt, element)
-            element = FORMAT_TYPES.get(number) if number is not None else None
-        direction = self.parameter.elements if self.parameter.type is Type.COUNT else Direction.IN
-        name = f"{self.parameter.name}[{index}]"
-        kind = element or Type.ARRAY_TYPED
-        return ArgumentSchema(self.parameter._replace(name=name, type=kind, direction=direction, element=None))
+        element, typed_by = self.tail.element, self.tail.typed_by
+        number = None if typed_by is None or pkt is None else number_of(pkt, typed_by)
+        kind = element.type if number is None else FORMAT_TYPES.get(number, element.type)
+        return ArgumentSchema(element._replace(name=f"{element.name}[{index}]", type=kind))
 
 
 def default_of(parameter: Parameter) -> Any:
@@ -233,18 +229,14 @@ def operation_layer(declaration: Declaration) -> type[EV3Operation]:
     fields: list[Field[Any, Any]] = [XByteEnumField("opcode", opcode.number, {opcode.number: opcode.name})]
     if command is not None:
         fields.append(ArgumentField(CMD, command.number, {command.number: command.name}))
-    for number, parameter in enumerate(declaration.parameters):
+    tail = declaration.tail
+    for parameter in declaration.fixed:
         schema = ArgumentSchema(parameter)
-        following = declaration.parameters[number + 1 : number + 2]
-        if parameter.type is Type.COUNT:
-            counter = parameter.name + COUNT
-            fields += [CountField(schema, counter, parameter.name), ArgumentsField(parameter, counter)]
-        elif parameter.type is Type.VALUES:
-            fields.append(ArgumentsField(parameter, fields[-1].name))
-        elif following and following[0].type is Type.VALUES:
-            fields.append(CountField(schema, parameter.name, following[0].name))
-        else:
+        if tail is None or parameter is not tail.counter:
             fields.append(ArgumentField(schema, default_of(parameter)))
+            continue
+        counter = parameter.name + COUNT * parameter.counts
+        fields += [CountField(schema, counter, tail.element.name), ArgumentsField(tail, counter)]
     described = {"name": declaration.name, "fields_desc": fields, "__doc__": declaration.text}
     make: Any = type(EV3Operation)
     name = declaration.name.replace(".", "_")

@@ -24,12 +24,12 @@ from ev3proto.tables.encoding import (
     INDEX_RANGES,
     LOCAL,
     NAN_FLOAT,
-    RANGES,
     SHORT,
     SIZES,
     STRING_CODING,
     TEXT,
     Encoding,
+    limits_of,
 )
 
 Form = tuple[Encoding, Callable[[bytes | bytearray, int], tuple[Any]] | None, int]
@@ -129,7 +129,7 @@ class ArgumentSchema:
     def __init__(self, parameter: Parameter) -> None:
         self.parameter = parameter
         self.reader = reader_of(parameter)
-        limits = None if parameter.direction is Direction.OUT else RANGES.get(parameter.type)
+        limits = None if parameter.direction is Direction.OUT else limits_of(parameter)
         self._numbers = range(0) if limits is None else range(limits.low, limits.high + 1)
 
     def read(self, data: bytes, at: int) -> tuple[Argument, int]:
@@ -202,7 +202,7 @@ class ArgumentSchema:
                 raise BuildError(f"{parameter.name} takes {expected} or a variable, not {value!r}")
             return encode_string(value, parameter.name)
         if not isinstance(value, int | float):
-            raise BuildError(f"{parameter.name} cannot be {value!r}: it is a {parameter.type}")
+            raise BuildError(f"{parameter.name} cannot be {value!r}: it is a {parameter.label}")
         if parameter.type is Type.STRING:
             raise BuildError(f"{parameter.name} takes a string or a variable, not {value!r}")
         may_be_float = parameter.any_type or parameter.type is Type.ARRAY_TYPED
@@ -212,14 +212,15 @@ class ArgumentSchema:
 
     def _integer(self, value: float) -> bytes:
         parameter = self.parameter
-        limits = RANGES[parameter.type]
+        limits = limits_of(parameter)
+        assert limits is not None
         if parameter.unsigned and limits.high < value <= BITS[parameter.type][-1]:
             value += 2 * limits.nan
         if (value != value and not parameter.unsigned) or value == limits.nan:
             return encode_as(_NAN_ENCODING.get(parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
             raise BuildError(
-                f"{parameter.name} cannot be {value}: a {parameter.type} is a whole number from {limits.low} to"
+                f"{parameter.name} cannot be {value}: a {parameter.label} is a whole number from {limits.low} to"
                 f" {BITS[parameter.type][-1] if parameter.unsigned else limits.high}"
             )
         return encode_integer(int(value))

@@ -14,15 +14,14 @@ from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation
 from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
 from ev3proto.tables import OPCODES, check_dialect
-from ev3proto.tables.declaration import DATA8, Command, Declaration, Direction, Opcode, Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, RANGES
+from ev3proto.tables.declaration import DATA8, Command, Declaration, Opcode, Parameter, Type
+from ev3proto.tables.encoding import CONSTANT, COUNTS
 from ev3proto.tables.enumerations import FORMAT_TYPES
 
 CMD = ArgumentSchema(Parameter("CMD", DATA8, "the command of the family"))
 """CMD is a parameter like any other: one byte if it is 31 or less, but senders may use longer encodings."""
 
 _CMD = (CMD.reader,)
-_LISTS = (Type.COUNT, Type.VALUES)
 _IN_ORDER = (tuple, list)
 
 
@@ -31,31 +30,29 @@ class OperationSchema:
 
     def __init__(self, declaration: Declaration) -> None:
         self.declaration = declaration
-        opcode, command, parameters = declaration.opcode, declaration.command, declaration.parameters
+        opcode, command = declaration.opcode, declaration.command
         self.head = bytes((opcode.number,)) + (encode_integer(command.number) if command else b"")
-        self.list_parameter = parameters[-1] if parameters and parameters[-1].type in _LISTS else None
-        has_values = self.list_parameter is not None and self.list_parameter.type is Type.VALUES
-        self._parameters = parameters[:-1] if has_values else parameters
-        self.readers = tuple([reader_of(parameter) for parameter in self._parameters])
+        self.tail = declaration.tail
+        self.readers = tuple([reader_of(parameter) for parameter in declaration.fixed])
         """The readers of the arguments before the elements of a list."""
         self._elements: dict[Type, list[ArgumentSchema]] = {}
 
     @cached_property
     def has_outputs(self) -> bool:
         """Whether the brick writes any of its parameters."""
-        parameters = self.declaration.parameters
-        return any(parameter.is_output or parameter.elements is not Direction.IN for parameter in parameters)
+        written = any(parameter.is_output for parameter in self.declaration.fixed)
+        return written or (self.tail is not None and self.tail.element.is_output)
 
     @cached_property
     def fixed(self) -> tuple[ArgumentSchema, ...]:
         """The schemas of the arguments before the elements of a list."""
-        return tuple(ArgumentSchema(parameter) for parameter in self._parameters)
+        return tuple(ArgumentSchema(parameter) for parameter in self.declaration.fixed)
 
     # Reading
 
     def _read_arguments(self, data: bytes, at: int, found: list[Argument]) -> int:
         at = read_arguments(self.readers, data, at, len(data), found)
-        if self.list_parameter is not None:
+        if self.tail is not None:
             at = read_arguments(self.elements(found, len(data) - at), data, at, len(data), found)
         return at
 
@@ -75,12 +72,11 @@ class OperationSchema:
 
     def _count(self, counter: Argument, room: int) -> int:
         """Returns the number of list elements that an argument announces, for which `room` bytes are available."""
-        assert self.list_parameter is not None
-        most = RANGES[Type.COUNT].high
+        most = COUNTS.high
         if counter.kind != CONSTANT or not isinstance(counter.value, int):
             reason = f"{counter.name} must be a constant: it is the number of values that follow"
             raise DecodeError(counter.offset, reason)
-        bound = min(room, most) if self.list_parameter.type is Type.COUNT else room
+        bound = min(room, most) if counter.parameter.counts else room
         if not 0 <= counter.value <= bound:
             raise DecodeError(
                 counter.offset,
@@ -91,27 +87,20 @@ class OperationSchema:
 
     def _listed(self, element: Type | None, count: int) -> Iterator[ArgumentSchema]:
         """Yields the schemas of a list's elements, which without a type are numbers of unknown type."""
-        parameter = self.list_parameter
-        assert parameter is not None
-        if element is None:
-            element = parameter.element if isinstance(parameter.element, Type) else Type.ARRAY_TYPED
-        known = self._elements.setdefault(element, [])
-        direction = parameter.elements if parameter.type is Type.COUNT else Direction.IN
+        assert self.tail is not None
+        declared = self.tail.element if element is None else self.tail.element._replace(type=element)
+        known = self._elements.setdefault(declared.type, [])
         for index in range(count):
             if index == len(known):
-                declared = parameter._replace(
-                    name=f"{parameter.name}[{index}]", type=element, direction=direction, element=None
-                )
-                known.append(ArgumentSchema(declared))
+                known.append(ArgumentSchema(declared._replace(name=f"{declared.name}[{index}]")))
             yield known[index]
 
     def _element_type(self, arguments: Sequence[Argument]) -> Type | None:
         """Returns the type of the list's elements if another argument gives it."""
-        parameter = self.list_parameter
-        if parameter is None or not isinstance(parameter.element, str):
+        if self.tail is None or self.tail.typed_by is None:
             return None
         for argument in arguments:
-            if argument.name == parameter.element and argument.kind == CONSTANT:
+            if argument.name == self.tail.typed_by and argument.kind == CONSTANT:
                 return FORMAT_TYPES.get(int(argument.value))
         return None
 
@@ -169,7 +158,7 @@ class OperationSchema:
         if isinstance(value, Operation):
             return value.raw
         values = value if isinstance(value, _IN_ORDER) else self._in_order(value)
-        if self.list_parameter is not None:
+        if self.tail is not None:
             return self.head + b"".join(self._pieces_with_list(list(values)))
         if len(values) != len(self.fixed):
             names = ", ".join(schema.parameter.name for schema in self.fixed) or "none"
@@ -186,7 +175,7 @@ class OperationSchema:
                 raise BuildError(
                     f"{self.declaration.name} has no parameter {name}: it has {', '.join(names) or 'none'}"
                 )
-        counted = names[-2] if self.list_parameter and self.list_parameter.type is Type.VALUES else None
+        counted = None if self.tail is None or self.tail.counter.counts else self.tail.counter.name
         values = []
         for name in names:
             if name not in named and not (name == counted and names[-1] in named):
@@ -222,12 +211,11 @@ class OperationSchema:
             values: Values in the order of the parameters. If the last one is a list, its elements follow one by one;
                 an omitted count (None, or none at all) is theirs.
         """
-        parameter = self.list_parameter
         is_list = values and isinstance(values[-1], Sequence) and not isinstance(values[-1], str | bytes | Argument)
-        if parameter is None or not is_list:
+        if self.tail is None or not is_list:
             return values
         *before, elements = values
-        if parameter.type is Type.COUNT and len(values) == len(self.fixed):
+        if self.tail.counter.counts and len(values) == len(self.fixed):
             before.append(len(elements))
         elif before and before[-1] is None:
             before[-1] = len(elements)
@@ -368,7 +356,7 @@ class InstructionSet:
                 else:
                     at += 1
                 at = read_arguments(schema.readers, data, at, end, arguments)
-                if schema.list_parameter is not None:
+                if schema.tail is not None:
                     at = read_arguments(schema.elements(arguments, end - at), data, at, end, arguments)
             except DecodeError as fault:
                 if schema is not None:

@@ -56,8 +56,8 @@ from construct import (
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.tables import OPCODES, operations
 from ev3proto.tables.daisy import SENSOR_DATA_SIZE, DaisyCommand
-from ev3proto.tables.declaration import DATA8, Declaration, Direction, Parameter, Type
-from ev3proto.tables.encoding import RANGES, STRING_CODING
+from ev3proto.tables.declaration import DATA8, Declaration, Parameter, Type
+from ev3proto.tables.encoding import COUNTS, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import GLOBAL_BITS, LOCAL_BITS, MAX_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 from ev3proto.tables.mailboxes import message_of
@@ -165,8 +165,8 @@ def _count(parameter: Parameter, operation: str, counter: Construct) -> Construc
                 raise BuildError(f"{parameter.name} must be a constant: it is the number of values that follow")
             return found
         room = _left(context._io)
-        if parameter.type is Type.COUNT:
-            room = min(room, RANGES[Type.COUNT].high)
+        if parameter.counts:
+            room = min(room, COUNTS.high)
         if _constant(counter, found) not in range(room + 1):
             reason = f"{parameter.name} must be a constant: there is room for 0 to {room} values"
             raise _error(found.offset, reason, operation, parameter.name)
@@ -185,28 +185,25 @@ def _left(stream: Any) -> int:
 
 def _arguments(entry: Declaration, shortest: Shortest) -> Construct:
     """Returns the arguments after opcode and CMD."""
-    nodes = {each.name: _argument(each, entry.name, shortest) for each in entry.parameters}
+    nodes = {each.name: _argument(each, entry.name, shortest) for each in entry.fixed}
     fields = [name / node for name, node in nodes.items()]
-    last = entry.parameters[-1] if entry.parameters else None
-    if last is None or last.type not in (Type.COUNT, Type.VALUES):
+    tail = entry.tail
+    if tail is None:
         return Struct(*fields)
-    name = last.name
-    counting = last if last.type is Type.COUNT else entry.parameters[-2]
-    counted_by = f"{name}_COUNT" if counting is last else counting.name
+    counting, element, typed_by = tail
+    counted_by = f"{counting.name}_COUNT" if counting.counts else counting.name
     counter = nodes[counting.name]
 
     def listed(kind: Type) -> Construct:
-        direction = last.elements if counting is last else Direction.IN
-        declared = last._replace(type=kind, direction=direction, element=None)
-        return Array(lambda each: _constant(counter, each[counted_by]), _argument(declared, entry.name, shortest))
+        argument = _argument(element._replace(type=kind), entry.name, shortest)
+        return Array(lambda each: _constant(counter, each[counted_by]), argument)
 
-    if isinstance(last.element, Type):
-        elements = listed(last.element)
-    else:
-        told_by, by_format = str(last.element), {number: listed(kind) for number, kind in FORMAT_TYPES.items()}
-        elements = Switch(lambda each: _constant(nodes[told_by], each[told_by]), by_format, listed(Type.ARRAY_TYPED))
-    count = Default(_count(counting, entry.name, counter), lambda each: len(each[name]))
-    return Struct(*fields[: -1 if counting is last else -2], counted_by / count, name / elements)
+    elements = listed(element.type)
+    if typed_by is not None:
+        by_format = {number: listed(kind) for number, kind in FORMAT_TYPES.items()}
+        elements = Switch(lambda each: _constant(nodes[typed_by], each[typed_by]), by_format, elements)
+    count = Default(_count(counting, entry.name, counter), lambda each: len(each[element.name]))
+    return Struct(*fields[:-1], counted_by / count, element.name / elements)
 
 
 # Byte code: an opcode, the CMD of a family, the arguments; then the next operation, to the end of the bytes

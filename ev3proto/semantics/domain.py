@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Parameter, Type
-from ev3proto.tables.encoding import BITS, RANGES
+from ev3proto.tables.encoding import BITS, RANGES, limits_of
 
 _MOST_NAMES = 12
 """Maximum number of names of an enumeration listed in a sentence."""
@@ -54,7 +54,7 @@ class Domain:
             self.is_documented = False
             self.text = f"0 to {numbers[-1]} (or {numbers[0]} to -1, the same bits)"
         else:
-            low, high, nan = RANGES[parameter.type]
+            low, high, nan = limits_of(parameter) or RANGES[parameter.type]
             self.spans = ((low, high),)
             self.is_documented = False
             self.text = f'{low} to {high} ({nan} means "not a number")'
@@ -79,7 +79,7 @@ def domain_of(parameter: Parameter) -> Domain | None:
     """Returns the legal numbers of a parameter; None if every encodable number is legal, and for texts."""
     if parameter.range is None and parameter.enum is None and parameter.type not in RANGES:
         return None
-    if parameter.any_type and parameter.type is not Type.COUNT:
+    if parameter.any_type and not parameter.counts:
         return None
     return None if parameter.type is Type.STRING else Domain(parameter)
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables.declaration import Direction, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import RANGES, Range
+from ev3proto.tables.encoding import RANGES, Range, limits_of
 from ev3proto.tables.validation import LABELS
 
 UNTYPED_SIZE = 4
@@ -41,15 +41,16 @@ _REQUIREMENTS = {
     Type.DATA32: Requirement(Type.DATA32, _whole(Type.DATA32), alignment=4),
     Type.DATAF: Requirement(Type.DATAF, alignment=4),
     Type.ARRAY_TYPED: Requirement(Type.ARRAY_TYPED),
-    Type.COUNT: Requirement(Type.COUNT, handle_alignment=1),
     Type.LABEL: Requirement(Type.LABEL, range(LABELS)),
 }
-_NOT_VALIDATED = Requirement(Type.COUNT, handle_alignment=1)
-"""Elements of a list are not checked."""
+_NOT_VALIDATED = Requirement(Type.DATA8, handle_alignment=1)
+"""The count of a list that has its own, and the elements of any list, are not checked."""
 
 
 def requirement(parameter: Parameter) -> Requirement:
     """Returns the validator's requirements on the argument of a parameter."""
+    if parameter.counts:
+        return _NOT_VALIDATED
     # A jump distance is a number; only LABEL has a label.
     return _REQUIREMENTS[Type.DATA32 if parameter.role is Role.JUMP else parameter.validated or parameter.type]
 
@@ -85,7 +86,7 @@ class ParameterFacts:
         kind, direction = parameter.type, parameter.direction
         is_untyped = kind is Type.ARRAY_TYPED
         self.parameter = parameter
-        self.limits: Range | None = RANGES[kind] if kind in _NUMBERS else None
+        self.limits: Range | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
         self.validated = _NOT_VALIDATED if is_element else requirement(parameter)
         self.is_text = kind is Type.STRING
         self.size = size = max(kind.size, 1)
@@ -136,7 +137,7 @@ class ParameterFacts:
         parameter = self.parameter
         if parameter.direction is not Direction.IN or parameter.type in (Type.STRING, Type.DATAF, Type.LABEL):
             return frozenset()
-        limits = RANGES.get(parameter.validated or parameter.type)
+        limits = RANGES[parameter.validated] if parameter.validated else limits_of(parameter)
         if limits is None:
             return frozenset()
         if self.domain is None:
@@ -179,12 +180,11 @@ class OperationFacts:
 
     def __init__(self, schema: OperationReader) -> None:
         declaration = schema.declaration
-        parameters = declaration.parameters
+        parameters = declaration.fixed
         indexes = {parameter.name: number for number, parameter in enumerate(parameters)}
-        fixed = parameters[:-1] if parameters and parameters[-1].type is Type.VALUES else parameters
         self.declaration = declaration
         self.name = declaration.name
-        self.parameters = tuple([ParameterFacts(parameter, indexes) for parameter in fixed])
+        self.parameters = tuple([ParameterFacts(parameter, indexes) for parameter in parameters])
         self.effects = frozenset(declaration.effects)
         self.has_cmd = declaration.command is not None
         self.is_jump = declaration.is_jump

@@ -34,8 +34,6 @@ class Type(Enum):
     HANDLE = ("handle", 2)
     ARRAY_TYPED = ("array-typed", 0)
     LABEL = ("label", 4)
-    COUNT = ("count", 0)
-    VALUES = ("values", 0)
 
     def __init__(self, label: str, size: int) -> None:
         self.label = label
@@ -43,10 +41,6 @@ class Type(Enum):
 
     def __str__(self) -> str:
         return self.label
-
-
-LISTS = (Type.COUNT, Type.VALUES)
-"""The types of parameters that hold a list."""
 
 
 class Direction(Enum):
@@ -170,7 +164,7 @@ class Parameter(NamedTuple):
     """One parameter of an operation, as the firmware reads it.
 
     name       the firmware's name
-    type       its type
+    type       its type; of a list of values, that of each value
     text       one line of description
     direction  to the operation, from it, or both
     unit       of the value, as written ("ms", "Hz", "%"); None where it has none
@@ -179,8 +173,9 @@ class Parameter(NamedTuple):
     special    single values with a meaning of their own
     length     for strings, arrays and buffers: the parameter that gives the number of bytes (strings) or elements
                (others), or that number itself where it is fixed
-    element    for counts and value lists: the type of what follows, or the name of the parameter that gives the type
-    elements   for counts: the direction of what follows
+    element    for lists: the type of each value, or the name of the parameter that gives the type
+    elements   for lists: the direction of each value
+    counts     for lists: it is the count itself, and the values follow it; else the parameter before it is the count
     validated  the type that the firmware's validator assumes, where that differs from `type`
     most       for texts: largest number of bytes, the zero included, where the firmware has a limit
     note       where and why the entry differs from other published tables
@@ -191,7 +186,7 @@ class Parameter(NamedTuple):
     unsigned   the firmware reads its bits unsigned, so numbers up to all bits set are valid
     letters    for texts: the characters that the firmware accepts, if not all
     suffix     for names of files: what the firmware adds to every name
-    any_type   for counts: the types of the values that follow are declared elsewhere, so each is written as it is
+    any_type   for lists: the types of the values are declared elsewhere, so each is written as it is
     """
 
     name: str
@@ -205,6 +200,7 @@ class Parameter(NamedTuple):
     length: str | int | None = None
     element: Type | str | None = None
     elements: Direction = Direction.IN
+    counts: bool = False
     validated: Type | None = None
     note: str = ""
     most: int | None = None
@@ -216,6 +212,24 @@ class Parameter(NamedTuple):
     any_type: bool = False
     letters: str = ""
     suffix: str = ""
+
+    @property
+    def is_list(self) -> bool:
+        """Whether it is the list at the end of an operation; see `Declaration.tail`."""
+        return self.element is not None
+
+    @property
+    def label(self) -> str:
+        """The name of its type, as it is written; of a list `count` or `values`."""
+        if self.is_list:
+            return "count" if self.counts else "values"
+        return self.type.label
+
+    @property
+    def listed(self) -> Parameter:
+        """Each value of a list, as a parameter; of type ARRAY_TYPED where another parameter gives the type."""
+        kind = self.element if isinstance(self.element, Type) else ARRAY_TYPED
+        return self._replace(type=kind, direction=self.elements, element=None, counts=False)
 
     @property
     def is_output(self) -> bool:
@@ -276,12 +290,12 @@ def Count(  # noqa: N802
     name: str, text: str, element: Type | str = DATA32, elements: Direction = Direction.IN, **facts: Unpack[Facts]
 ) -> Parameter:
     """Returns a constant that counts the parameters after it (PARNO in the firmware)."""
-    return Parameter(name, Type.COUNT, text, element=element, elements=elements, **facts)
+    return Parameter(name, DATA8, text, element=element, elements=elements, counts=True, **facts)
 
 
 def Values(name: str, text: str, element: Type, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802
     """Returns a list of values, counted by the parameter before it (PARVALUES in the firmware)."""
-    return Parameter(name, Type.VALUES, text, element=element, **facts)
+    return Parameter(name, element, text, element=element, **facts)
 
 
 class Command(NamedTuple):
@@ -339,6 +353,25 @@ class Opcode(NamedTuple):
         return self.cmd_table or self.name
 
 
+class Tail(NamedTuple):
+    """The list at the end of an operation: a constant counts the arguments that follow it.
+
+    counter   the parameter that counts
+    element   each argument that follows, as a parameter: it has the name of the list, and the type ARRAY_TYPED where
+              another parameter gives the type
+    typed_by  the name of that parameter, whose value is a FORMAT; None where the type is declared
+    """
+
+    counter: Parameter
+    element: Parameter
+    typed_by: str | None
+
+    @property
+    def direction(self) -> Direction:
+        """The direction of the arguments that follow."""
+        return self.element.direction
+
+
 @dataclass(frozen=True)
 class Declaration:
     """The declaration of one operation: an opcode together with its CMD, if it has one."""
@@ -360,6 +393,20 @@ class Declaration:
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters after the opcode and CMD."""
         return self.command.parameters if self.command else self.opcode.parameters
+
+    @cached_property
+    def fixed(self) -> tuple[Parameter, ...]:
+        """The parameters with one argument each: all, but for the values of a list; its count is the last of them."""
+        parameters = self.parameters
+        return parameters[:-1] if parameters and parameters[-1].is_list and not parameters[-1].counts else parameters
+
+    @cached_property
+    def tail(self) -> Tail | None:
+        """The list at its end, None if it has none."""
+        last = self.parameters[-1] if self.parameters else None
+        if last is None or not last.is_list:
+            return None
+        return Tail(self.fixed[-1], last.listed, last.element if isinstance(last.element, str) else None)
 
     @property
     def is_jump(self) -> bool:

@@ -7,7 +7,7 @@ omit the one value that means "not a number".
 from itertools import product
 from typing import NamedTuple
 
-from ev3proto.tables.declaration import Type
+from ev3proto.tables.declaration import Parameter, Type
 
 CONSTANT, TEXT, LOCAL, GLOBAL, JUMP = "constant", "string", "local", "global", "label"
 """The kinds of argument."""
@@ -122,9 +122,17 @@ RANGES = {
     Type.HANDLE: Range(-32767, 32767, -32768),
     Type.ARRAY_TYPED: Range(-2147483647, 2147483647, -2147483648),
     Type.LABEL: Range(-2147483647, 2147483647, -2147483648),
-    Type.COUNT: Range(0, 127, -128),
 }
-"""The valid integer constants of each type. A label is a number 0 to 31 or a jump; a count fits a signed byte."""
+"""The valid integer constants of each type. A label is a number 0 to 31 or a jump."""
+
+COUNTS = Range(0, 127, -128)
+"""The valid counts of a list that has its own: a count fits a signed byte."""
+
+
+def limits_of(parameter: Parameter) -> Range | None:
+    """Returns the integer constants that the argument of a parameter can be; None if it is not a whole number."""
+    return COUNTS if parameter.counts else RANGES.get(parameter.type)
+
 
 BITS = {
     kind: range(RANGES[kind].nan, -2 * RANGES[kind].nan) for kind in (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)

@@ -228,7 +228,7 @@ def test_every_operation_from_its_shortest_values() -> None:
             continue
         values: list[object] = []
         for parameter in declaration.parameters:
-            if parameter.type in (Type.COUNT, Type.VALUES):
+            if parameter.is_list:
                 values.append([])
             elif parameter.is_output or parameter.type is Type.HANDLE:
                 values.append(ev3proto.GV(0))

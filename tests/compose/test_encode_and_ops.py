@@ -13,7 +13,7 @@ from support.cases import each
 from ev3proto import GV, BuildError, Draft, Variable, command, ops
 from ev3proto.enums import LEDPATTERN
 from ev3proto.tables import operations
-from ev3proto.tables.declaration import LISTS, Declaration, Parameter, Role, Type
+from ev3proto.tables.declaration import Declaration, Parameter, Role, Type
 from ev3proto.text.assembly import AssemblyError, assemble
 
 DECLARATIONS = list(operations("official").values())
@@ -30,7 +30,7 @@ def function_of(declaration: Declaration) -> Callable[..., Draft]:
 
 def safe(parameter: Parameter, number: int) -> Any:
     """A value that is always legal; for a variable, one that is aligned for every type."""
-    if parameter.type in LISTS:
+    if parameter.is_list:
         return []
     if parameter.is_output or parameter.type is Type.STRING or parameter.length is not None:
         return GV(64 * number)
@@ -87,7 +87,7 @@ def verdict_of_encode(declaration: Declaration, given_values: list[Any]) -> byte
     """The bytes that assembly makes, None where it refuses."""
     written = []
     for parameter, value in zip(declaration.parameters, given_values, strict=True):
-        if parameter.type is Type.COUNT:
+        if parameter.counts:
             written.append(str(len(value)))
         if value != []:
             written.append(text_of(value, parameter))
@@ -102,7 +102,7 @@ def verdict_of_encode(declaration: Declaration, given_values: list[Any]) -> byte
 @each("declaration", DECLARATIONS)
 def test_both_take_and_refuse_the_same(declaration: Declaration) -> None:
     parameters = declaration.parameters
-    inputs = [number for number, parameter in enumerate(parameters) if parameter.type not in LISTS]
+    inputs = [number for number, parameter in enumerate(parameters) if not parameter.is_list]
     if not inputs:
         assert verdict_of_encode(declaration, [[] for _ in parameters]) == verdict_of_ops(
             declaration, [[] for _ in parameters]
@@ -121,7 +121,7 @@ def test_both_take_and_refuse_the_same(declaration: Declaration) -> None:
     agree()
 
 
-WITH_LISTS = [one for one in DECLARATIONS if one.parameters and one.parameters[-1].type in LISTS]
+WITH_LISTS = [one for one in DECLARATIONS if one.parameters and one.parameters[-1].is_list]
 
 
 @pytest.mark.parametrize("declaration", WITH_LISTS, ids=[declaration.name for declaration in WITH_LISTS])
@@ -137,7 +137,7 @@ def test_both_take_and_refuse_the_same_in_lists(declaration: Declaration) -> Non
     def agree(elements: list[Any]) -> None:
         all_values = [safe(parameter, place) for place, parameter in enumerate(parameters)]
         all_values[-1] = elements
-        if parameters[-1].type is Type.VALUES:
+        if parameters[-1].is_list and not parameters[-1].counts:
             all_values[-2] = len(elements)
         assert verdict_of_encode(declaration, all_values) == verdict_of_ops(declaration, all_values)
 

@@ -31,7 +31,7 @@ from ev3proto.messages import DaisyReply, DirectCommand, Message, Operation, Sys
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables import operations
-from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Direction, Parameter
 from ev3proto.tables.discovery import ACCEPT, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.testing import daisy_messages, frames, raw_operations, system_replies, values_for
@@ -278,13 +278,13 @@ def asking(draw: st.DrawFn, dialect: str) -> bytes:
         for parameter in declaration.parameters:
             if parameter.is_output:
                 values.append(draw(PLACES))
-            elif parameter.type is Type.COUNT and _gives(parameter):
+            elif parameter.counts and _gives(parameter):
                 values.append(draw(st.lists(PLACES, max_size=4)))
             elif parameter.name in lengths:
                 values.append(draw(LENGTHS))
             else:
                 values.append(draw(values_for(parameter)))
-                if parameter.type is Type.VALUES:
+                if parameter.is_list and not parameter.counts:
                     values[-2] = len(values[-1])
         chosen.append(ev3proto.operation(declaration.name, *values, dialect=dialect))
     size, counter = draw(st.integers(0, 80)), draw(st.integers(0, 0xFFFF))
@@ -292,7 +292,7 @@ def asking(draw: st.DrawFn, dialect: str) -> bytes:
 
 
 def _gives(parameter: Parameter) -> bool:
-    return parameter.is_output or (parameter.type is Type.COUNT and parameter.elements is not Direction.IN)
+    return parameter.is_output or (parameter.counts and parameter.elements is not Direction.IN)
 
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")

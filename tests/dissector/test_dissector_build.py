@@ -127,11 +127,10 @@ def test_every_parameter_has_its_field(fields: dict[str, Field]) -> None:
     wrong = []
     for name, parameter in declared.items():
         element = parameter.element
-        kind = element if parameter.type is Type.VALUES else parameter.type
         field = fields.get(name)
-        if field is None or (field.name.split()[-1], field.type) != (parameter.name, expected_type(kind)):
+        if field is None or (field.name.split()[-1], field.type) != (parameter.name, expected_type(parameter.type)):
             wrong.append((name, field))
-        if parameter.type is Type.COUNT:
+        if parameter.counts:
             item = fields.get(f"{name}.item")
             # If another argument gives the type, a double holds any number.
             type_of_item = expected_type(element) if isinstance(element, Type) else "FT_DOUBLE"

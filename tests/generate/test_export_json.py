@@ -45,7 +45,7 @@ def test_dialects() -> None:
 
 
 def parameters(declared: tuple[Parameter, ...], found: list[dict[str, Any]]) -> None:
-    assert [(one.name, one.type.label, one.direction.value, one.text) for one in declared] == [
+    assert [(one.name, one.label, one.direction.value, one.text) for one in declared] == [
         (one["name"], one["type"], one["direction"], one["text"]) for one in found
     ]
     for one, other in zip(declared, found, strict=True):

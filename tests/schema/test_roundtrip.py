@@ -69,7 +69,7 @@ def test_values_are_parsed_as_built(name: str) -> None:
     @given(st.data())
     def check(data: st.DataObject) -> None:
         values: list[OperationValue] = [data.draw(values_for(parameter)) for parameter in declaration.parameters]
-        if declaration.parameters and declaration.parameters[-1].type is Type.VALUES:
+        if len(declaration.fixed) < len(declaration.parameters):
             assert isinstance(values[-1], list)
             values[-2] = len(values[-1])
         elif declaration.parameters and isinstance(declaration.parameters[-1].element, str):
@@ -147,7 +147,7 @@ def expected_arguments(
     """Name, kind and value of the arguments for these values."""
     for parameter, value in zip(parameters, values, strict=True):
         if isinstance(value, list):
-            if parameter.type is Type.COUNT:
+            if parameter.counts:
                 yield parameter.name, "constant", len(value)
             is_float = parameter.element is Type.DATAF
             for index, element in enumerate(value):

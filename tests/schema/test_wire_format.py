@@ -23,7 +23,7 @@ from ev3proto import GV, BuildError, DecodeError, schema
 from ev3proto.schema import FRAME, OPERATIONS, declared
 from ev3proto.schema.wire_format import ENCODED, IDENTIFICATION, MEMORY, SENSOR_REPORT
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, Type
+from ev3proto.tables.declaration import DIALECTS
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, TEXT
 from ev3proto.testing import (
     daisy_messages,
@@ -433,7 +433,7 @@ def test_agreement_on_each_operation(name: str) -> None:
             contents = bytes.fromhex("2a00 80 0000") + code
             assert_agreement(len(contents).to_bytes(2, "little") + contents, dialect)
         values = {parameter.name: value for parameter, value in zip(parameters, drawn, strict=True)}
-        if parameters and parameters[-1].type is Type.VALUES:
+        if parameters and parameters[-1].is_list and not parameters[-1].counts:
             del values[parameters[-2].name]
         try:
             operation = ev3proto.operation(name, dialect=dialect, **values)

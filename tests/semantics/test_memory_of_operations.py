@@ -66,7 +66,7 @@ class Values:
     def _is_counted(self, parameter: Parameter) -> bool:
         """Whether it is the number of the values after it, which is computed."""
         last = self._declaration.parameters[-1]
-        return last.type is Type.VALUES and parameter is self._declaration.parameters[-2]
+        return last.is_list and not last.counts and parameter is self._declaration.parameters[-2]
 
     def by_hand(self) -> Variable:
         self._next += APART
@@ -76,9 +76,9 @@ class Values:
         return self._random.choice(choices)()
 
     def _value(self, parameter: Parameter) -> Any:
-        if parameter.type is Type.COUNT and parameter.elements is Direction.OUT:
+        if parameter.counts and parameter.elements is Direction.OUT:
             return self._one_of(lambda: None, lambda: 3, lambda: [None, self.by_hand(), Local()])
-        if parameter.type in (Type.COUNT, Type.VALUES):
+        if parameter.is_list:
             return self._one_of(list, lambda: [1, 2], lambda: [self.by_hand(), Global()])
         is_text = parameter.type is Type.STRING
         is_told = not isinstance(parameter.length, str) or not self._is_result(parameter.length)
@@ -135,7 +135,7 @@ def _drawn(declaration: Declaration, random: Random) -> list[list[Any]]:
     parameters = declaration.parameters
     values = Values(declaration, random)
     drawn = [values.all() for _ in range(2)]
-    if parameters and parameters[-1].type is Type.VALUES:
+    if parameters and parameters[-1].is_list and not parameters[-1].counts:
         drawn = [[*given[:-1], None, given[-1]] for given in drawn]
     return drawn
 
@@ -167,9 +167,9 @@ def _assert_says(declaration: Declaration, left: list[Argument], values: list[An
     """The constants are those that were asked for; where variables were to be found, there are some."""
     for parameter, value in zip(declaration.parameters, values, strict=True):
         elements = [value]
-        if parameter.type is Type.VALUES:
+        if parameter.is_list and not parameter.counts:
             elements = value
-        elif parameter.type is Type.COUNT:
+        elif parameter.counts:
             elements = [None] * value if isinstance(value, int) else [None] if value is None else value
             assert left.pop(0).value == len(elements)
         elif value is None and not parameter.is_output:

@@ -51,9 +51,9 @@ def careful_operation(draw: st.DrawFn, declaration: Declaration) -> Operation:
     lengths = {str(parameter.length) for parameter in declaration.parameters}
     values: list[Any] = []
     for parameter in declaration.parameters:
-        if parameter.type is Type.COUNT:
+        if parameter.counts:
             values.append(draw(st.lists(st.integers(0, 10).map(lambda index: GV(4 * index)), max_size=4)))
-        elif parameter.type is Type.VALUES:
+        elif parameter.is_list:
             assert isinstance(parameter.element, Type)
             numbers: st.SearchStrategy[Any] = (
                 st.floats(-9, 9, width=32) if parameter.element is Type.DATAF else st.integers(-100, 100)

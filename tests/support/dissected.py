@@ -395,11 +395,10 @@ def kinds() -> dict[str, type]:
         for declaration in operations(dialect).values():
             for parameter in declaration.parameters:
                 name = f"ev3.{declaration.name}.{parameter.name}".lower()
-                if parameter.type is Type.COUNT:
+                if parameter.counts:
                     element = parameter.element
                     _tell(found, f"{name}.item", _kind(element) if isinstance(element, Type) else Double)
-                listed = parameter.type is Type.VALUES and isinstance(parameter.element, Type)
-                _tell(found, name, _kind(parameter.element if listed else parameter.type))  # type: ignore[arg-type]
+                _tell(found, name, _kind(parameter.type))
     return found
 
 
@@ -594,7 +593,7 @@ def _typed(operation: Operation, argument: Argument, value: int | float | str) -
     declared = _declared(operation, argument.name)
     is_element = "[" in argument.name
     name = f"ev3.{operation.full_name}.{declared.name}".lower()
-    if is_element and declared.type is Type.COUNT:
+    if is_element and declared.counts:
         name += ".item"
     kind = kinds()[name]
     if isinstance(value, str) != (kind is str):

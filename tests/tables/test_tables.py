@@ -68,10 +68,10 @@ def test_every_parameter_is_consistent(entry: Declaration, parameter: Parameter)
     assert {name for name in referred if isinstance(name, str)} <= set(names)
     if parameter.range is not None:
         assert parameter.range[0] <= parameter.range[1]
-    if parameter.type in (Type.COUNT, Type.VALUES):
+    if parameter.is_list:
         assert parameter.element is not None
         assert parameter is entry.parameters[-1]
-    if parameter.type is Type.VALUES:
+    if parameter.is_list and not parameter.counts:
         assert entry.parameters[-2].type is Type.DATA32
 
 

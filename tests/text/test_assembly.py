@@ -375,10 +375,10 @@ def test_the_advice_for_an_unknown_name_helps(name: str) -> None:
     for number, parameter in enumerate(parameters):
         values = [_value(one) for one in parameters]
         values[number] = "mine"
-        if parameters[-1].type is Type.COUNT:
+        if parameters[-1].counts:
             elements = "GV(0)" if parameters[-1].elements is not Direction.IN else "1"
             values += [elements] * (2 if parameter is parameters[-1] else 1)
-        elif number + 2 == len(parameters) and parameters[-1].type is Type.VALUES:
+        elif number + 2 == len(parameters) and parameters[-1].is_list:
             values.append("1")
         text = f"{declaration.opcode.name}({', '.join([*command, *values])})"
         with pytest.raises(AssemblyError) as caught:

@@ -134,8 +134,8 @@ def _declared() -> tuple[Declaration, ...]:
 
 
 def _place(entry: Declaration, parameter: Parameter) -> Place:
-    held = parameter.element if parameter.type is Type.VALUES else parameter.type
-    return Place(entry.name, parameter.name, str if held is Type.STRING else int, parameter.enum, parameter.unit)
+    held = str if parameter.type is Type.STRING else int
+    return Place(entry.name, parameter.name, held, parameter.enum, parameter.unit)
 
 
 def _holds(kind: FieldKind) -> type:

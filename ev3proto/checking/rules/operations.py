@@ -16,7 +16,7 @@ from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables import OPCODES, with_effect
-from ev3proto.tables.declaration import UNRELEASED, Effect, Role, Type
+from ev3proto.tables.declaration import UNRELEASED, Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, ENCODINGS, JUMP
 
 _OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
@@ -515,7 +515,7 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
 
 def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Argument, fault: Fault) -> Finding:
     is_number = count.kind == CONSTANT and isinstance(count.value, int)
-    is_count = fault.truncated or operation.facts.declaration.parameters[-1].type is Type.VALUES
+    is_count = fault.truncated or not count.parameter.counts
     if is_number and is_count and int(count.value) >= 0:
         room = context.end - count.offset - count.length
         return operation.finding_at(

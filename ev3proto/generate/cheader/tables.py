@@ -120,7 +120,7 @@ def _parameters(parameters: tuple[Parameter, ...]) -> Iterator[str]:
 
 def _type(parameter: Parameter) -> str:
     way = {Direction.IN: "", Direction.OUT: "out ", Direction.INOUT: "in/out "}[parameter.direction]
-    return way + parameter.type.label
+    return way + parameter.label
 
 
 # Names of numbers

@@ -15,7 +15,7 @@ from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
+from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 
@@ -77,8 +77,9 @@ def _assign(name: str, value: object) -> str:
 
 def _words() -> Iterator[str]:
     for members in (DIRECTIONS, TYPES, ENCODING_KINDS, FIELD_KINDS):
-        yield _names([str(name) for name in members.values()])
-    yield _assign("TYPE_NAMES", Table(named={member.name: member.label for member in Type}))
+        yield _names([str(name) for name in members.values()] + (["COUNT", "VALUES"] if members is TYPES else []))
+    labels = {member.name: member.label for member in Type} | {"COUNT": "count", "VALUES": "values"}
+    yield _assign("TYPE_NAMES", Table(named=labels))
     sizes = {member.name: member.size for member in Type if member.size and member is not Type.LABEL}
     yield "-- Bytes of a value in memory, for the types that have one.\n"
     yield _assign("SIZE_OF", Table(named=sizes))
@@ -99,7 +100,7 @@ def _frames() -> Iterator[str]:
         "COMMAND_HEADER_SIZE": COMMAND_HEADER_SIZE,
         "MIN_LENGTH": frame.MIN_LENGTH,
         "MAX_LENGTH": frame.MAX_LENGTH,
-        "MOST_COUNTED": RANGES[Type.COUNT].high,
+        "MOST_COUNTED": COUNTS.high,
     }
     for name, number in numbers.items():
         yield _assign(name, number)
@@ -213,11 +214,16 @@ def _parameter(parameter: Parameter) -> Table:
         named["length"] = parameter.length
     if parameter.element is not None:
         named["element"] = TYPES[parameter.element] if isinstance(parameter.element, Type) else parameter.element
-    if parameter.type is Type.COUNT:
+    if parameter.counts:
         named["elements"] = DIRECTIONS[parameter.elements]
     if parameter.validated is not None:
         named["validated"] = TYPES[parameter.validated]
-    return Table([parameter.name, DIRECTIONS[parameter.direction], TYPES[parameter.type], parameter.text], named)
+    return Table([parameter.name, DIRECTIONS[parameter.direction], _type(parameter), parameter.text], named)
+
+
+def _type(parameter: Parameter) -> Name:
+    """Returns the Lua name of a parameter's type; a list is named by the way it is counted."""
+    return Name(parameter.label.upper()) if parameter.is_list else TYPES[parameter.type]
 
 
 def _system() -> Iterator[str]:
@@ -323,6 +329,7 @@ def _claims() -> Iterator[str]:
     yield _assign("CLAIMS", Table(named=rule))
     yield "-- The range of each type.\n"
     limits: dict[Any, object] = {kind.name: Table([limit.low, limit.high]) for kind, limit in RANGES.items()}
+    limits["COUNT"] = Table([COUNTS.low, COUNTS.high])
     yield _assign("TYPE_RANGES", Table(named=limits))
 
 

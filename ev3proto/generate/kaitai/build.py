@@ -7,7 +7,7 @@ from ev3proto.generate.kaitai.naming import family_type, identifier, operation_t
 from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value, written
 from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES, check_dialect, operations
-from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Opcode, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Opcode, Parameter, Tail, Type
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.version import VERSION
 
@@ -90,11 +90,12 @@ def _operation(declaration: Declaration) -> Mapping:
     before = ""
     for parameter in declaration.parameters:
         name = parameter_name(parameter)
-        if parameter.type is Type.COUNT:
-            fields.append(_argument(name + COUNT, "false", parameter))
-            fields.append(_list(name, _is_float(parameter), name + COUNT))
-        elif parameter.type is Type.VALUES:
-            fields.append(_list(name, _is_float(parameter), before, comment(parameter)))
+        if parameter.counts:
+            before = name + COUNT
+            fields.append(_argument(before, "false", parameter))
+        if declaration.tail is not None and parameter.is_list:
+            doc = "" if parameter.counts else comment(parameter)
+            fields.append(_list(name, _is_float(declaration.tail), before, doc))
         else:
             fields.append(_argument(name, str(parameter.type is Type.DATAF).lower(), parameter))
             if parameter.enum is not None and not parameter.enum.flags and not parameter.is_output:
@@ -117,11 +118,11 @@ def _list(name: str, is_float: str, counter: str, doc: str = "") -> Mapping:
     return found | ({"doc": doc} if doc else {})
 
 
-def _is_float(parameter: Parameter) -> str:
+def _is_float(tail: Tail) -> str:
     """Returns whether a list's elements are floats, as an expression if another argument tells it."""
-    if not isinstance(parameter.element, str):
-        return str(parameter.element is Type.DATAF).lower()
-    teller = identifier(parameter.element)
+    if tail.typed_by is None:
+        return str(tail.element.type is Type.DATAF).lower()
+    teller = identifier(tail.typed_by)
     floats = [number for number, kind in FORMAT_TYPES.items() if kind is Type.DATAF]
     return f"{teller}.is_number and ({' or '.join(f'{teller}.value == {number}' for number in floats)})"
 

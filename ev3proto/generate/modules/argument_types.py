@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import MARK, bracketed, docstring, imported, joined
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, LISTS, Direction, Enumeration, Parameter, Role, Type
+from ev3proto.tables.declaration import DIALECTS, Direction, Enumeration, Parameter, Role, Type
 
 _ALIASES = {
     "AnyVariable": "Variable | Placeholder | Argument | bytes",
@@ -32,9 +32,9 @@ def module() -> str:
 
 def argument_type(parameter: Parameter) -> str:
     """Returns the type of what a call accepts for a parameter."""
-    if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
+    if parameter.elements is not Direction.IN:
         return "Outputs"
-    if parameter.type in LISTS:
+    if parameter.is_list:
         element = None if parameter.any_type else parameter.element
         return f"Sequence[{_SCALARS.get(element, 'Number') if isinstance(element, Type) else 'Untyped'}]"
     if parameter.direction is Direction.OUT:

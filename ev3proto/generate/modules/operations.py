@@ -29,7 +29,7 @@ from ev3proto.semantics.domain import facts
 from ev3proto.semantics.drafts.functions import may_be_omitted
 from ev3proto.tables import OPCODES, area_of
 from ev3proto.tables import operations as operations_of
-from ev3proto.tables.declaration import DIALECTS, LISTS, Declaration, Direction, Opcode, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Opcode, Parameter, Type
 
 _PLAIN = "_plain"
 """The module of opcodes without a CMD; the package imports all of it."""
@@ -259,7 +259,7 @@ def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
     yield parameter.text
     yield from facts(parameter)
     yield _type(parameter)
-    if parameter.type is Type.COUNT and is_optional:
+    if parameter.counts and is_optional:
         yield "an output for each: a list of variables, or how many; one when omitted"
     elif parameter.direction is Direction.OUT:
         yield "an output, in global memory when omitted"
@@ -269,7 +269,7 @@ def _pieces(parameter: Parameter, *, is_optional: bool) -> Iterator[str]:
 
 def _type(parameter: Parameter) -> str:
     """Returns the type: `DATA16`, or that of a list's elements."""
-    if parameter.type in LISTS:
+    if parameter.is_list:
         element = parameter.element
         if isinstance(element, str):
             return f"a list, of the type in {element.lower()}"

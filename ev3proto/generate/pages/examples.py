@@ -90,7 +90,7 @@ def _function(declaration: Declaration, dialect: str) -> tuple[str, Any]:
 
 def _values(declaration: Declaration, *, omitted: bool) -> Iterator[tuple[str, Any]]:
     """Returns a value for each parameter; None if it is omitted."""
-    has_list = any(parameter.type is Type.VALUES for parameter in declaration.parameters)
+    has_list = any(parameter.is_list and not parameter.counts for parameter in declaration.parameters)
     for index, parameter in enumerate(declaration.parameters):
         counted = [each for each in declaration.parameters if each.length == parameter.name]
         value = _value(parameter, index, omitted=omitted)
@@ -100,10 +100,8 @@ def _values(declaration: Declaration, *, omitted: bool) -> Iterator[tuple[str, A
 
 
 def _value(parameter: Parameter, index: int, *, omitted: bool) -> Any:
-    if parameter.type is Type.VALUES or (parameter.type is Type.COUNT and parameter.elements is Direction.IN):
-        return list(_LIST)
-    if parameter.type is Type.COUNT:
-        return None
+    if parameter.is_list:
+        return list(_LIST) if parameter.elements is Direction.IN else None
     if parameter.direction is Direction.OUT:
         return None if omitted else Global(_ROOM)
     if parameter.direction is Direction.INOUT:

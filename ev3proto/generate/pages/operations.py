@@ -10,7 +10,7 @@ from ev3proto.generate.pages.markdown import block, code, link, listed, plain, s
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS
-from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, Type, declarations
+from ev3proto.tables.declaration import DIALECTS, Declaration, Parameter, declarations
 
 ENUMERATIONS_PAGE = "enumerations.md"
 
@@ -105,7 +105,7 @@ def _parameter(parameter: Parameter) -> tuple[str, str, str, str]:
         meaning.append(f"Each is {plain(each)}, {parameter.elements}.")
     if parameter.note:
         meaning.append(f"Note: {sentence(parameter.note)}")
-    kind = "list" if parameter.type in (Type.COUNT, Type.VALUES) else parameter.type.label
+    kind = "list" if parameter.is_list else parameter.type.label
     return code(parameter.name), str(parameter.direction), kind, " ".join(meaning)
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from operator import attrgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 from ev3proto.generate.tables_json.json_text import written
 from ev3proto.generate.tables_json.shapes import (
@@ -28,6 +29,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Effect, Role, Type
 from ev3proto.tables.encoding import (
     CONSTANT,
+    COUNTS,
     GLOBAL,
     IDENTIFICATIONS,
     JUMP,
@@ -36,6 +38,7 @@ from ev3proto.tables.encoding import (
     RANGES,
     STRING_CODING,
     TEXT,
+    Range,
 )
 from ev3proto.tables.enumerations import ENUMERATIONS, FORMAT_TYPES
 from ev3proto.tables.frame import MessageType
@@ -91,23 +94,39 @@ _NAN = {
     "type": ["integer", "string"],
     "description": 'the number that means "not a number", or the four bytes of that float in hex',
 }
+
+
+class _Type(NamedTuple):
+    name: str
+    size: int = 0
+    limits: Range | None = None
+    nan: int | str | None = None
+
+
+def _types() -> Iterator[_Type]:
+    """Yields what the type of a parameter can be: also the two ways to count a list."""
+    for each in Type:
+        limits = RANGES.get(each)
+        nan = NAN_FLOAT.hex() if each is Type.DATAF else limits and limits.nan
+        yield _Type(each.label, each.size, limits, nan)
+    yield _Type("count", 0, COUNTS, COUNTS.nan)
+    yield _Type("values")
+
+
 _TYPE = Shape(
     "a type",
     {
-        "name": (ref("type_name"), _label),
+        "name": (ref("type_name"), attrgetter("name")),
         "size": (number("bytes of one value in memory; omitted where it varies", 1), lambda it: it.size or None),
-        "range": (
-            pair("smallest and largest constant"),
-            lambda it: [RANGES[it].low, RANGES[it].high] if it in RANGES else None,
-        ),
-        "nan": (_NAN, lambda it: RANGES[it].nan if it in RANGES else NAN_FLOAT.hex() if it is Type.DATAF else None),
+        "range": (pair("smallest and largest constant"), lambda it: it.limits and [it.limits.low, it.limits.high]),
+        "nan": (_NAN, attrgetter("nan")),
     },
     optional=("size", "range", "nan"),
 )
 
 _PARAMETER_PROPERTIES: dict[str, Any] = {
     "name": _SPELT,
-    "type": (ref("type_name"), lambda it: it.type.label),
+    "type": (ref("type_name"), lambda it: it.label),
     "direction": (ref("direction"), lambda it: it.direction.value),
     "text": _LINE,
     "unit": text("of the value, as people write it"),
@@ -381,7 +400,7 @@ def _document() -> Shape:
                 array(ref("message_type"), "the byte after the message counter"),
                 list(map(_MESSAGE_TYPE.data, MessageType)),
             ),
-            "types": (array(ref("type"), "what parameters hold"), list(map(_TYPE.data, Type))),
+            "types": (array(ref("type"), "what parameters hold"), list(map(_TYPE.data, _types()))),
             "encodings": (
                 array(ref("encoding"), "what the first byte of an argument says; bytes omitted are undefined"),
                 list(map(_ENCODING.data, IDENTIFICATIONS)),
@@ -428,7 +447,7 @@ def build_schema() -> str:
     """Returns the text of ev3-tables.schema.json: the document, and its definitions."""
     definitions: Schema = {
         "dialect": one_of(list(DIALECTS), "a firmware"),
-        "type_name": one_of([member.label for member in Type], "what a value is"),
+        "type_name": one_of([each.name for each in _types()], "what a value is"),
         "direction": one_of([member.value for member in Direction], "to the operation, from it, or both"),
         "message_type": _MESSAGE_TYPE.schema,
         "type": _TYPE.schema,

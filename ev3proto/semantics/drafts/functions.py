@@ -22,8 +22,8 @@ from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
 from ev3proto.semantics.drafts.placeholders import NO_DISTANCE, Label, Need, Placeholder
 from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
-from ev3proto.tables.declaration import LISTS, Declaration, Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, RANGES, TEXT
+from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
+from ev3proto.tables.encoding import CONSTANT, COUNTS, TEXT, limits_of
 
 HOW_TO_MEAN_IT = "pass unchecked=True to allow it"
 """The end of Python's error messages about values that can be encoded but have no meaning for the brick."""
@@ -111,7 +111,7 @@ def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, BuildErr
 
 def _can_be(parameter: Parameter, value: float) -> bool:
     """Returns whether the value can be encoded."""
-    limits = RANGES.get(parameter.type)
+    limits = limits_of(parameter)
     if limits is None or value == limits.nan or (isinstance(value, float) and math.isnan(value)):
         return True
     return limits.low <= value <= limits.high and value == int(value)
@@ -150,13 +150,10 @@ _ENUMS = "ev3proto.enums"
 
 def may_be_omitted(declaration: Declaration, number: int) -> bool:
     """Returns whether a parameter, by its number from 0, is an output or the count of the list after it."""
-    parameters = declaration.parameters
-    parameter = parameters[number]
-    if parameter.type is Type.COUNT:
-        return parameter.elements is Direction.OUT
-    return parameter.direction is Direction.OUT or (
-        number + 1 < len(parameters) and parameters[number + 1].type is Type.VALUES
-    )
+    parameter, tail = declaration.parameters[number], declaration.tail
+    if tail is None or parameter is not tail.counter:
+        return parameter.direction is Direction.OUT
+    return not parameter.counts or tail.direction is Direction.OUT
 
 
 def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = False) -> Draft:
@@ -199,7 +196,7 @@ def _in_order(declaration: Declaration, values: Sequence[Any], unchecked: bool) 
     for number, (parameter, value) in enumerate(zip(declaration.parameters, values, strict=True)):
         if value is REQUIRED:
             raise TypeError(f"{declaration.name} also needs {parameter.name}")
-        if parameter.type in LISTS:
+        if parameter.is_list:
             found.append(_elements(parameter, value))
         elif value is not None:
             check_constant(parameter, value, unchecked=unchecked)
@@ -212,11 +209,11 @@ def _in_order(declaration: Declaration, values: Sequence[Any], unchecked: bool) 
 
 
 def _elements(parameter: Parameter, value: Any) -> list[Any]:
-    if parameter.type is Type.COUNT and parameter.elements is not Direction.IN:
+    if parameter.elements is not Direction.IN:
         if value is None:
             return [OMITTED]
         if isinstance(value, int) and not isinstance(value, bool):
-            most = RANGES[Type.COUNT].high
+            most = COUNTS.high
             if not 0 <= value <= most:
                 raise BuildError(f"{parameter.name} must be 0 to {most} as a number of outputs, not {value}")
             return [OMITTED] * value
@@ -336,7 +333,7 @@ class OperationDrafts:
 
 def _needs(schema: OperationSchema) -> tuple[Need, ...] | None:
     """Returns what the outputs of an operation need if all are omitted; None if that depends on the arguments."""
-    if schema.list_parameter is not None:
+    if schema.tail is not None:
         return None
     found: list[Need] = []
     for facts in operation_facts(schema).parameters:

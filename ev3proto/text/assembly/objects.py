@@ -527,7 +527,7 @@ def _as_number(value: Name, parameters: Sequence[Parameter]) -> Value:
 
 # Warnings about types, which are errors in lmsasm; `!` before a value omits them
 
-_UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.COUNT, Type.VALUES, Type.HANDLE)
+_UNTYPED = (Type.ARRAY_TYPED, Type.LABEL, Type.HANDLE)
 
 Warnings = Iterator[tuple[int, str]]
 Meant = Sequence[Meaning | None]
@@ -570,7 +570,7 @@ def _of_call(call: Call, values: Meant, callee: Callee) -> Warnings:
 def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Value], values: Meant) -> Warnings:
     name, fixed = schema.declaration.name, schema.fixed
     wanted: int | None = len(fixed)
-    if schema.list_parameter is not None:
+    if schema.tail is not None:
         count = values[len(fixed) - 1] if len(values) >= len(fixed) else None
         wanted = len(fixed) + count if isinstance(count, int) else None
     if wanted is not None and len(values) != wanted:
@@ -597,17 +597,17 @@ def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | Non
     if parameter.direction is Direction.OUT:
         return "is an output, and what is written into a constant is lost"
     if isinstance(value, float):
-        return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {kind}, not a float"
+        return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {parameter.label}, not a float"
     if isinstance(value, str):
-        is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8)
-        return None if is_text else f"is a {kind}, not a string"
+        is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8) and not parameter.counts
+        return None if is_text else f"is a {parameter.label}, not a string"
     if kind is Type.DATAF:
         if value in (0, CONSTANTS["DATAF_NAN"]):
             return None
         return "is a DATAF, and a whole number means its bits there, while floats end in F"
     if kind is Type.STRING:
         return "is a string, not a number"
-    limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) else None
+    limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) and not parameter.counts else None
     if parameter.unsigned and value in BITS[kind]:
         return None
     if limits is not None and not limits.low <= value <= limits.high and value != limits.nan & (limits.high * 2 + 1):
@@ -617,7 +617,7 @@ def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | Non
 
 def _wrong_place(parameter: Parameter, place: Place) -> str | None:
     kind = parameter.type
-    if kind in _UNTYPED or place.type is kind:
+    if kind in _UNTYPED or parameter.counts or place.type is kind:
         return None
     if kind is Type.STRING:
         is_text = place.type in (Type.STRING, Type.DATA8, Type.HANDLE)

@@ -55,14 +55,14 @@ class Assembler:
         arguments = _in_order(schema, arguments, call)
         arguments = self._with_count(schema, arguments, call)
         fixed = schema.fixed
-        if schema.list_parameter is None and len(arguments) > len(fixed):
+        if schema.tail is None and len(arguments) > len(fixed):
             raise SourceError(arguments[len(fixed)].at, f"{_takes(schema)}, not {len(arguments)}")
         if len(arguments) < len(fixed):
             missing = fixed[len(arguments)].parameter
             raise SourceError(
                 call.end, f"{_takes(schema)}, not {len(arguments)}: {missing.name} is missing ({missing.text})"
             )
-        counter = arguments[len(fixed) - 1].value if schema.list_parameter is not None else None
+        counter = arguments[len(fixed) - 1].value if schema.tail is not None else None
         if isinstance(counter, Name) and self._encoder.whole_or_none(counter) is None:
             self._check_counter(counter)
         pieces = [self._encoder.argument(given.value, one) for given, one in zip(arguments, fixed, strict=False)]
@@ -155,8 +155,8 @@ class Assembler:
 
         It does so after the name of a subroutine, and if the second value cannot be the count.
         """
-        counter = schema.list_parameter
-        if counter is None or not counter.any_type or not arguments or is_operation_word(call.name):
+        tail = schema.tail
+        if tail is None or not tail.counter.any_type or not arguments or is_operation_word(call.name):
             return arguments
         first, *others = arguments
         is_by_name = isinstance(first.value, Name)
@@ -168,7 +168,7 @@ class Assembler:
         self, schema: OperationSchema, fixed: Sequence[Piece], arguments: Sequence[WrittenArgument]
     ) -> list[Piece]:
         """Returns the values of a list at the end, encoded as the list's type."""
-        if schema.list_parameter is None:
+        if schema.tail is None:
             return []
         given = arguments[len(fixed) :]
         known = [piece for piece in fixed if isinstance(piece, bytes)]
@@ -236,7 +236,7 @@ def _takes(schema: OperationSchema) -> str:
     """Returns `SOUND.TONE takes 3 values (VOLUME, FREQUENCY, DURATION)`."""
     names = [one.parameter.name for one in schema.fixed]
     count = counted(len(names), "value")
-    if schema.list_parameter is not None:
+    if schema.tail is not None:
         count += " and a list"
     named = f" ({', '.join(names)})" if names else ""
     return f"{schema.declaration.name} takes {count}{named}"

@@ -1,5 +1,6 @@
 """How Sphinx builds the documentation: `python -m sphinx -W docs build/docs`, with what the extra `docs` installs."""
 
+import subprocess
 import sys
 from pathlib import Path
 
@@ -7,19 +8,26 @@ from ev3proto.version import VERSION
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+_addresses = subprocess.run(
+    ["bash", Path(__file__).parents[1] / "bin" / "addresses"], capture_output=True, text=True, check=False
+)
+
 project = "ev3proto"
 release = version = VERSION
 html_title = f"ev3proto {VERSION}"
-extensions = ["myst_parser", "playground.build", "search_index"]
+extensions = ["myst_parser", "playground.build", "root_pages", "search_index"]
 myst_heading_anchors = 3
 exclude_patterns: list[str] = []
 templates_path = ["_templates"]
 html_theme = "furo"
 html_favicon = "../ev3proto/brick/servers/page/static/icon.svg"
-# Furo's default, with a link to the playground.
+# Empty where the repository has no public address.
+html_context = {"repository": _addresses.stdout.strip()}
+# Furo's default, with links to the playground and the repository.
 html_sidebars = {
     "**": [
-        f"sidebar/{part}.html" for part in ("brand", "search", "playground", "scroll-start", "navigation", "scroll-end")
+        f"sidebar/{part}.html"
+        for part in ("brand", "search", "playground", "scroll-start", "navigation", "repository", "scroll-end")
     ]
 }
 html_show_copyright = False

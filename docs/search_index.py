@@ -1,7 +1,7 @@
 """Makes the documentation's search find names and numbers: an extension of docs/conf.py.
 
-Operations, opcodes, system commands and the names of values become objects of a domain, which Sphinx's search lists
-with a link to the entry itself.
+Operations by name and by what they do, opcodes, system commands and the names of values become objects of a domain,
+which Sphinx's search lists with a link to the entry itself.
 """
 
 from __future__ import annotations
@@ -51,6 +51,7 @@ class Instructions(Domain):
                 yield _entry(f"0x{opcode.number:02X} {opcode.name}", "opcode", page, opcode.name)
             for each in declarations(opcodes):
                 yield _entry(each.name, "operation", page, each.name)
+                yield _entry(f"{each.name}: {each.text}", "operation", page, each.name, SECOND)
                 for enumeration in {it.enum.name for it in each.parameters if it.enum}:
                     users.setdefault(enumeration, []).append((each.name, page))
         for command in SYSTEM:

@@ -82,6 +82,33 @@ def test_the_first_place_that_a_search_finds_is_the_entry_itself(
     assert f'id="{place}"' in (built / page).read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize(
+    ("words", "place"),
+    [
+        ("battery", "reference/ui.html#ui-read-get-vbatt"),
+        ("voltage", "reference/ui.html#ui-read-get-vbatt"),
+        ("read a sensor", "reference/input.html#input-readsi"),
+        ("light", "reference/ui.html#ui-write-led"),
+    ],
+)
+def test_a_search_finds_operations_by_what_they_do(searching: Chrome, built: Path, words: str, place: str) -> None:
+    searching.get(f"{(built / 'search.html').as_uri()}?q={words}")
+    shown = "return [...document.querySelectorAll('#search-results li a')].map(link => link.getAttribute('href'))"
+    WebDriverWait(searching, 10, 0.1).until(lambda browser: place in browser.execute_script(shown))
+
+
+def test_the_site_has_the_files_that_its_pages_tell_people_to_copy(built: Path) -> None:
+    page = (built / "downloads.html").read_text(encoding="utf-8")
+    files = {link.rpartition("/")[2]: built / link for link in re.findall(r'href="(_downloads/[^"]+)"', page)}
+    for file in (*(ROOT / "exports").glob("ev3*"), *(ROOT / "dissector").glob("*.lua")):
+        assert files[file.name].read_bytes() == file.read_bytes()
+
+
+def test_pages_of_the_repository_are_pages_of_the_site(built: Path) -> None:
+    assert "Each word has one meaning" in (built / "contributing.html").read_text(encoding="utf-8")
+    assert 'href="exit-status.html"' in (built / "changelog.html").read_text(encoding="utf-8")
+
+
 def test_every_place_that_the_search_knows_is_there(built: Path) -> None:
     index = (built / "searchindex.js").read_text(encoding="utf-8")
     known = json.loads(index.removeprefix("Search.setIndex(").removesuffix(")"))

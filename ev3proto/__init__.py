@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ev3proto import messages as messages
     from ev3proto import ops as ops
     from ev3proto import program as program
+    from ev3proto import reading as reading
     from ev3proto import schema as schema
     from ev3proto import system as system
     from ev3proto import tables as tables
@@ -71,6 +72,11 @@ if TYPE_CHECKING:
     from ev3proto.messages import SystemCommand as SystemCommand
     from ev3proto.messages import SystemReply as SystemReply
     from ev3proto.messages import Variable as Variable
+    from ev3proto.reading import Image as Image
+    from ev3proto.reading import Problem as Problem
+    from ev3proto.reading import Record as Record
+    from ev3proto.reading import Source as Source
+    from ev3proto.reading import read as read
     from ev3proto.schema.constructors import direct_command as direct_command
     from ev3proto.schema.constructors import direct_reply as direct_reply
     from ev3proto.schema.constructors import system_command as system_command
@@ -101,7 +107,7 @@ if TYPE_CHECKING:
 
 __version__ = VERSION
 
-_MODULES = ("capture", "enums", "errors", "messages", "ops", "program", "schema", "system", "tables")
+_MODULES = ("capture", "enums", "errors", "messages", "ops", "program", "reading", "schema", "system", "tables")
 """Submodules."""
 
 _NAMES = {
@@ -142,6 +148,7 @@ _NAMES = {
         "SystemReply",
         "Variable",
     ),
+    "ev3proto.reading": ("Image", "Problem", "Record", "Source", "read"),
     "ev3proto.schema.constructors": ("direct_command", "direct_reply", "system_command", "system_reply"),
     "ev3proto.schema.discovery": ("Beacon", "Unlock"),
     "ev3proto.schema.frame": ("parse",),

@@ -6,13 +6,15 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from enum import StrEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.tables.carriers import Carrier
+from ev3proto.text.json_format.from_messages import record as message_record
+from ev3proto.text.phrases import Seen
 
 NANOSECONDS = 1_000_000_000
 """Nanoseconds in a second."""
@@ -57,6 +59,52 @@ class Route:
     is_timed: bool = True
 
 
+class Place(NamedTuple):
+    """A place in something that was read; its text is `robot.log, line 3`.
+
+    name    of the file, or the quoted text; empty for a text that speaks for itself
+    line    in a text, the first is 1
+    column  in that line, the first is 1
+    packet  number of the packet in a capture, the first is 1
+    frame   number of the frame that assembly makes, the first is 1
+    offset  in a file of bytes
+    """
+
+    name: str = ""
+    line: int | None = None
+    column: int | None = None
+    packet: int | None = None
+    frame: int | None = None
+    offset: int | None = None
+
+    def __str__(self) -> str:
+        counted = [f"{word} {number}" for word, number in zip(self._fields[1:], self[1:], strict=True) if number]
+        return ", ".join([self.name, *counted] if self.name else counted)
+
+
+class Written(NamedTuple):
+    """What a text says of a frame, besides its bytes.
+
+    place      of its bytes in the text
+    direction  stated in front of them; None if not stated
+    time       as written, None if there is none
+    is_typed   it was given by itself, as on a command line
+    column     in its line at which it starts, the first is 1; None for a message that was made
+    is_cut     whether the text says that there were more bytes
+    unknown    offsets in the frame of bytes that the text does not give, which were read as zero
+    rest       the bytes after the frame that have no meaning, such as padding
+    """
+
+    place: Place
+    direction: str | None = None
+    time: str | None = None
+    is_typed: bool = False
+    column: int | None = None
+    is_cut: bool = False
+    unknown: frozenset[int] = frozenset()
+    rest: bytes = b""
+
+
 class Answered(NamedTuple):
     """A command's facts about its reply, without the reply itself, which refers to the command."""
 
@@ -75,6 +123,8 @@ class Record:
     answered  for a command: the facts about its reply; None without one so far
     transfer  the file transfer that a system message belongs to, if any; its counts increase while reading
     note      a sentence about a peculiarity besides its contents, if any
+    written   what the text says in which it is; None in a capture
+    name      the name of the capture; empty if unknown
     """
 
     # A long capture makes many of these: slots without a dataclass cost half as much.
@@ -84,12 +134,14 @@ class Record:
         "_values",
         "answered",
         "frame",
+        "name",
         "note",
         "numbers",
         "request",
         "route",
         "time_ns",
         "transfer",
+        "written",
     )
 
     def __init__(
@@ -111,6 +163,8 @@ class Record:
         self.answered: Answered | None = None
         self.transfer = transfer
         self.note = note
+        self.written: Written | None = None
+        self.name = ""
         self._reader = reader
         self._message: Message | None = None
         self._values: list[Value] | None = None
@@ -120,9 +174,14 @@ class Record:
         """The parsed message. A faulty frame's message has a `fault`."""
         message = self._message
         if message is None:
-            message = self._message = self._reader.read_frame(self.frame, strict=False)
-            _keep(self)
+            message = self._reader.read_frame(self.frame, strict=False)
+            self.keep(message)
         return message
+
+    def keep(self, message: Message) -> None:
+        """Takes the message of its frame, which was parsed already."""
+        self._message = message
+        _keep(self)
 
     @property
     def values(self) -> list[Value]:
@@ -138,9 +197,65 @@ class Record:
         return Exchange(self.message, request, self.values, self.transfer)
 
     @property
-    def time(self) -> float:
-        """The time of its last packet, in seconds since 1970-01-01 UTC. `time_ns` is exact."""
-        return self.time_ns / NANOSECONDS
+    def time(self) -> float | None:
+        """The time of its last packet, in seconds since 1970-01-01 UTC; None if unknown. `time_ns` is exact."""
+        return self.time_ns / NANOSECONDS if self.route.is_timed else None
+
+    @property
+    def seen(self) -> Seen:
+        """Its circumstances, as far as a text or the route tells them."""
+        written = self.written
+        if written is None:
+            return Seen(direction=self.route.direction, frame=self.frame)
+        return Seen(written.direction, written.time, written.is_cut, frame=self.frame, unknown=written.unknown)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Returns it as `ev3proto decode --json` prints it, for other tools; bytes are hex."""
+        entry = message_record(self.exchange, self.seen)
+        return entry if self.written is not None else entry | self.circumstances()
+
+    def circumstances(self) -> dict[str, Any]:
+        """Returns time, place and dialogue for other tools, without `time` for a log without times."""
+        entry = place_record(self)
+        if self.request is not None:
+            entry |= {"answers": self.request.number, "latency": self.latency}
+        if self.note is not None:
+            entry["note"] = self.note
+        return entry
+
+    @property
+    def place(self) -> Place:
+        """Its place: the line of a text, the packet of a capture."""
+        written = self.written
+        return Place(self.name, packet=self.number) if written is None else written.place
+
+    @property
+    def rest(self) -> bytes:
+        """The bytes after the frame that have no meaning, such as padding; empty in a capture."""
+        return b"" if self.written is None else self.written.rest
+
+    @property
+    def unknown(self) -> frozenset[int]:
+        """Offsets in the frame of bytes that a text does not give, which were read as zero."""
+        return frozenset() if self.written is None else self.written.unknown
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether a text says that the frame had more bytes."""
+        return self.written is not None and self.written.is_cut
+
+    @property
+    def is_from_brick(self) -> bool:
+        """Whether the brick sent it: by its direction, or else, unless it was typed as bytes, by its type."""
+        if self.written is None:
+            stated: str | None = self.route.direction
+        elif self.written.is_typed:
+            return self.written.direction == Direction.RECEIVED
+        else:
+            stated = self.written.direction
+        if stated is not None:
+            return stated == Direction.RECEIVED
+        return self.message.type is not None and not self.message.type.is_command
 
     @property
     def latency(self) -> float | None:
@@ -270,6 +385,20 @@ class Skipped:
 
 Event = Record | Announcement | Skipped
 """Everything in a capture."""
+
+
+def place_record(event: Record | Announcement) -> dict[str, Any]:
+    """Returns place and time for other tools; without `time` for a log without times."""
+    route = event.route
+    time = {"time": utc(event.time_ns)} if route.is_timed else {}
+    return time | {
+        "packets": list(event.numbers),
+        "interface": route.interface,
+        "carrier": route.carrier,
+        "source": route.source,
+        "target": route.target,
+        "peer": route.peer,
+    }
 
 
 def elapsed(time_ns: int, start_ns: int) -> str:

@@ -1,20 +1,21 @@
-"""Frames from a text as a capture, with the times in the text, or else one each millisecond."""
+"""Frames from a text as records, with the times in the text, or else one each millisecond."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
+from itertools import chain
+from typing import TYPE_CHECKING
 
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.reading import Capture
-from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Event, Route
+from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Place, Record, Route, Written
+from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_reader
-from ev3proto.schema.header import HEADER_SIZE, unpack_header
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.carriers import DEFAULT_CARRIER
-from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.pieces import Pasted
 from ev3proto.text.splitting import split
 
@@ -27,12 +28,14 @@ STEP_NS = NANOSECONDS // 1000
 BRICK = "brick"
 """The brick's end of a route: a text seldom has its address."""
 
+if TYPE_CHECKING:
+    from ev3proto.capture.reading import Capture
+
 _DAY_NS = 86_400 * NANOSECONDS
 _TIME = re.compile(
     r"(?:(?P<date>\d{4}[-/]\d\d[-/]\d\d)[T ]\s?)?(?P<clock>\d\d:\d\d:\d\d)(?:[.,](?P<part>\d{1,9}))?"
     r"(?P<zone>Z|\s?[+-]\d\d:?\d\d)?"
 )
-_COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
 
 
 class Clock:
@@ -80,39 +83,81 @@ def _nanoseconds(text: str) -> tuple[int, bool] | None:
     return (since, True) if date else (BEGIN_NS + since, False)
 
 
-def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
-    """Returns the frames of a text as a capture, whose records are numbered by lines."""
-    account = Account()
-    return Capture(_events(pieces, account, dialect, Budget(memory)), account)
+_ROUTES = {
+    (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)
+    for direction, ends in ((Direction.SENT, (HOST, BRICK)), (Direction.RECEIVED, (BRICK, HOST)))
+    for is_timed in (True, False)
+}
 
 
-def _events(pieces: Iterable[Pasted], account: Account, dialect: str, budget: Budget) -> Iterator[Event]:
-    conversation = Conversation(frame_reader(dialect), budget)
-    clock = Clock()
-    routes = {
-        (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)
-        for direction, ends in ((Direction.SENT, (HOST, BRICK)), (Direction.RECEIVED, (BRICK, HOST)))
-        for is_timed in (True, False)
-    }
-    for piece in pieces:
-        if not piece.data:
-            continue
-        time_ns = clock.at(piece.time)
+class TextLog:
+    """A dialogue in texts, whose records are numbered by lines.
+
+    account  of the text that is read now; its packets are pieces of the text
+    budget   limits the pending commands
+    """
+
+    def __init__(self, dialect: str, memory: int = DEFAULT_MEMORY) -> None:
+        """Takes a memory limit in bytes."""
+        self.account = Account()
+        self.budget = Budget(memory)
+        self._dialect = dialect
+        self._conversation = Conversation(frame_reader(dialect), self.budget)
+        self._clock = Clock()
+
+    def begin(self) -> Account:
+        """Begins another text of the same dialogue. Returns its account."""
+        self.account, self._clock = Account(), Clock()
+        return self.account
+
+    def records(self, pasted: Pasted, place: Place, *, is_typed: bool = False) -> Iterator[Record]:
+        """Yields the records of the frames in a piece of the text."""
+        account = self.account
+        time_ns = self._time(pasted.time, len(pasted.data))
+        for message, start, rest in split(pasted.data, dialect=self._dialect) if pasted.data else ():
+            fault, unknown = message.fault, frozenset([one.offset - start for one in pasted.unknown])
+            is_cut = pasted.cut and fault is not None and fault.truncated
+            written = Written(place, pasted.direction, pasted.time, is_typed, pasted.column, is_cut, unknown, rest)
+            yield self._record(message, written, pasted.line, time_ns)
+        account.padding = account.captured - account.frames
+
+    def made(self, message: Message, place: Place, number: int) -> Record:
+        """Returns the record of a message that was made from a text without bytes."""
+        frame = message.build()
+        return self._record(message, Written(place), number, self._time(None, len(frame)))
+
+    def _time(self, time: str | None, size: int) -> int:
+        """Counts a piece of the text, and returns its time."""
+        account, time_ns = self.account, self._clock.at(time)
         account.packets += 1
-        account.captured += len(piece.data)
+        account.captured += size
         account.first_ns = time_ns if account.first_ns is None else account.first_ns
         account.last_ns = time_ns
-        for frame in (one.message.build() for one in split(piece.data, dialect=dialect)):
-            account.frames += len(frame)
-            route = routes[_direction(piece, frame), piece.time is not None]
-            yield conversation.record(frame, (piece.line,), time_ns, route)
-        account.padding = account.captured - account.frames
-        account.forgotten = budget.dropped
+        return time_ns
+
+    def _record(self, message: Message, written: Written, number: int, time_ns: int) -> Record:
+        frame = message.build()
+        route = _ROUTES[_direction(written, message, len(frame)), written.time is not None]
+        record = self._conversation.record(frame, (number,), time_ns, route)
+        record.written = written
+        record.keep(message)
+        self.account.frames += len(frame)
+        self.account.forgotten = self.budget.dropped
+        return record
 
 
-def _direction(piece: Pasted, frame: bytes) -> Direction:
+def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
+    """Returns the frames of a text as a capture, whose records are numbered by lines."""
+    from ev3proto.capture.reading import Capture  # takes 15 ms, which frames in texts do not need
+
+    log = TextLog(dialect, memory)
+    records = (log.records(piece, Place("", piece.line)) for piece in pieces if piece.data)
+    return Capture(chain.from_iterable(records), log.account)
+
+
+def _direction(written: Written, message: Message, size: int) -> Direction:
     """Returns a frame's direction, from the text or else its type."""
-    if piece.direction is not None:
-        return Direction(piece.direction)
-    is_command = len(frame) < HEADER_SIZE or unpack_header(frame)[2] in _COMMANDS
+    if written.direction is not None:
+        return Direction(written.direction)
+    is_command = size < HEADER_SIZE if message.type is None else message.type.is_command
     return Direction.SENT if is_command else Direction.RECEIVED

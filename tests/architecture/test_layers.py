@@ -27,6 +27,7 @@ LAYERS = (
     {"pyshark"},
     {"brick"},
     {"link"},
+    {"reading"},
     {"cli"},
     {"__main__"},
 )
@@ -100,8 +101,9 @@ UPWARD = {
     ("ev3proto.messages", "ev3proto.schema.frame"),
     ("ev3proto.checking.report", "ev3proto.checking.fixing"),
     ("ev3proto.checking.report", "ev3proto.text.diagnostics"),
-    # A page about the public modules, and a command line that a page is about.
+    # A page about the public modules of higher layers, and a command line that a page is about.
     ("ev3proto.generate.pages.python_api", "ev3proto.brick"),
+    ("ev3proto.generate.pages.python_api", "ev3proto.reading"),
     ("ev3proto.generate.__main__", "ev3proto.cli.generate"),
 }
 """The only calls of higher layers, and against the order of files: in functions, when they are used."""

@@ -31,27 +31,34 @@ class Choosing:
     def chosen(self, events: Iterable[Event]) -> Iterator[Record]:
         """Yields the matching records, in the order of the capture."""
         for event in events:
-            if not isinstance(event, Record):
-                continue
-            if not self._keep.looks_ahead:
-                if self._keep(event):
-                    yield event
-                continue
-            command = event.request
-            if command is not None and id(command) in self._waiting and not self._keep(command):
-                self._release(command)
-            if event.message.wants_reply or self._keep(event):
-                self._waiting[id(event)] = event
-                self._size += _RECORD_SIZE + len(event.frame)
-            while self._waiting:
-                first = next(iter(self._waiting.values()))
-                is_open = first.message.wants_reply and first.answered is None
-                if is_open and self._size <= self._memory:
-                    break
-                self._release(first)
-                self.given_up += is_open
-                if self._keep(first):
-                    yield first
+            if isinstance(event, Record):
+                yield from self.take(event)
+        yield from self.end()
+
+    def take(self, record: Record) -> Iterator[Record]:
+        """Takes the next record, and yields the matching records that are known now."""
+        if not self._keep.looks_ahead:
+            if self._keep(record):
+                yield record
+            return
+        command = record.request
+        if command is not None and id(command) in self._waiting and not self._keep(command):
+            self._release(command)
+        if record.message.wants_reply or self._keep(record):
+            self._waiting[id(record)] = record
+            self._size += _RECORD_SIZE + len(record.frame)
+        while self._waiting:
+            first = next(iter(self._waiting.values()))
+            is_open = first.message.wants_reply and first.answered is None
+            if is_open and self._size <= self._memory:
+                break
+            self._release(first)
+            self.given_up += is_open
+            if self._keep(first):
+                yield first
+
+    def end(self) -> Iterator[Record]:
+        """Yields the matching records that were still waiting."""
         yield from filter(self._keep, self._waiting.values())
         self._waiting.clear()
 

@@ -238,7 +238,7 @@ NAMES = {
     ),
     TIME: _known(
         _DURATION,
-        lambda record: (record.time,),
+        lambda record: (record.time_ns / NANOSECONDS,),
         "time since the capture began, as shown before each frame",
         "time < 1.5s",
     ),

@@ -16,6 +16,7 @@ from ev3proto.generate.pages.markdown import block, link, listed, plain, table
 
 MODULES = (
     "ev3proto",
+    "ev3proto.reading",
     "ev3proto.schema",
     "ev3proto.capture",
     "ev3proto.program",

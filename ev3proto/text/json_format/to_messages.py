@@ -51,8 +51,10 @@ _SPEAKERS = ("command", "reply")
 class RecordError(ValueError):
     """An object that does not describe a frame; the sentence names the faulty key and what would be right."""
 
-    def __init__(self, reason: str) -> None:
+    def __init__(self, reason: str, line: int | None = None, column: int | None = None) -> None:
         super().__init__(reason if len(reason) <= _MOST_SAID else f"{reason[:_MOST_SAID]}...")
+        self.line = line  # of the text that is not JSON, the first is 1
+        self.column = column
 
 
 def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
@@ -66,7 +68,7 @@ def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
         kept.append(line)
         size += len(line)
         if size > MAX_RECORD:
-            raise RecordError(f"line {start}: the object has more than {MAX_RECORD} characters")
+            raise RecordError(f"the object has more than {MAX_RECORD} characters", start)
         # An object over several lines ends with a brace alone on a line; parsing is tried only there.
         if len(kept) > 1 and line.rstrip() != "}":
             continue
@@ -75,17 +77,17 @@ def read_records(lines: Iterable[str]) -> Iterator[tuple[int, Any]]:
         except (ValueError, RecursionError) as error:
             if len(kept) == 1 and line.rstrip() == "{":
                 continue
-            raise RecordError(_no_json(error, start)) from None
+            raise _no_json(error, start) from None
         yield start, found
         kept, size = [], 0
     if kept:
-        raise RecordError(f"line {start}: the object that starts here never ends")
+        raise RecordError("the object that starts here never ends", start)
 
 
-def _no_json(error: Exception, start: int) -> str:
+def _no_json(error: Exception, start: int) -> RecordError:
     if isinstance(error, json.JSONDecodeError):
-        return f"line {start + error.lineno - 1}, column {error.colno}: invalid JSON: {error.msg}"
-    return f"line {start}: this JSON cannot be read: it is nested too deep, or a number is too long"
+        return RecordError(f"invalid JSON: {error.msg}", start + error.lineno - 1, error.colno)
+    return RecordError("this JSON cannot be read: it is nested too deep, or a number is too long", start)
 
 
 def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:

@@ -1,0 +1,42 @@
+"""The frames that are made of assembly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.capture.record import Place, Record
+from ev3proto.capture.text_log import TextLog
+from ev3proto.reading.items import Code, Problem, Source
+from ev3proto.text.assembly.assembling import assembled as messages_of
+from ev3proto.text.assembly.errors import AssemblyError
+from ev3proto.text.assembly.recognising import OBJECT
+
+_SUBROUTINE = "subcall"
+
+
+def assembled(
+    source: Source, *, dialect: str = "official", counter: int = 0, reply: bool | None = None, unchecked: bool = False
+) -> Iterator[Record | Problem]:
+    """Yields the frames of assembly, then its errors.
+
+    Args:
+        source: What `ev3proto.read` yields for assembly.
+        dialect: The firmware whose instruction set is used.
+        counter: Message counter of the first message that states none, 0 to 65535.
+        reply: Whether messages without a header want a reply; None: if their operations return values.
+        unchecked: Accept values that mean nothing to the brick, such as motor port 16.
+    """
+    text = source.text if isinstance(source.text, str) else source.text.decode(errors="replace")
+    log, name = TextLog(dialect), source.place.name
+    try:
+        messages = messages_of(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked)
+        for number, message in enumerate(messages, 1):
+            yield log.made(message, Place(name, frame=number), number)
+    except AssemblyError as error:
+        objects = OBJECT.findall(text)
+        if len(objects) <= 1 and _SUBROUTINE not in objects:
+            for one in (error, *error.others):
+                yield Problem.in_source(name, one)
+        if objects:
+            sentence = "this is a program, not a frame; add -o FILE.rbf to make its image"
+            yield Problem(Place(name), Code.SOURCE, sentence)

@@ -1,0 +1,96 @@
+"""What is given to read: a file, a text, bytes, lines, an open file."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import IO, BinaryIO, NamedTuple, TypeAlias, cast
+
+from ev3proto.text.spans import visible
+
+Readable: TypeAlias = str | bytes | os.PathLike[str] | IO[str] | IO[bytes] | Iterable[str]
+"""What `ev3proto.read` takes."""
+
+_PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
+_MOST_QUOTED = 60
+
+SOURCE_SUFFIX = ".lms"
+"""The suffix of the sources of programs."""
+
+
+class Given(NamedTuple):
+    """Something to read. It has one of `open`, `word`, `lines` and `frames`.
+
+    label    its name in problems
+    path     of a file; None for anything else
+    open     opens the file; raises OSError
+    is_lent  whether it stays open
+    word     a text that is known to be meant as bytes or assembly
+    lines    of a text
+    frame    bytes that are known to be meant as a frame, unless they are something else by their start
+    """
+
+    label: str
+    path: Path | None = None
+    open: Callable[[], BinaryIO] | None = None
+    word: str | None = None
+    lines: Iterable[str] | None = None
+    frame: bytes | None = None
+    is_lent: bool = False
+
+    @property
+    def is_program_source(self) -> bool:
+        """Whether it is named like the source of a program."""
+        return self.path is not None and self.path.suffix.lower() == SOURCE_SUFFIX
+
+    @property
+    def quoted(self) -> str:
+        """A word in quotes, for problems."""
+        return f"{self.word[:_MOST_QUOTED]!r}" if self.word is not None else self.label
+
+    @property
+    def looks_like_a_path(self) -> bool:
+        """Whether a word has a folder or a suffix, like the name of a file."""
+        return self.word is not None and _PATH.fullmatch(self.word) is not None
+
+
+def given_word(text: str) -> Given:
+    """Returns a text that is meant as bytes or assembly."""
+    return Given(visible(text), word=text)
+
+
+def given_file(path: Path) -> Given:
+    """Returns a file."""
+    return Given(visible(str(path)), path, lambda: path.open("rb"))
+
+
+def given(source: Readable) -> Given:
+    """Returns anything that can be read. Raises TypeError for anything else."""
+    if isinstance(source, str):
+        is_long = "\n" in source or "\r" in source
+        if not is_long and is_file(source):
+            return given_file(Path(source))
+        return Given("the text", lines=source.splitlines(keepends=True)) if is_long else given_word(source)
+    if isinstance(source, bytes | bytearray | memoryview):
+        data = bytes(source)
+        return Given("the bytes", frame=data)
+    if isinstance(source, os.PathLike):
+        return given_file(Path(source))
+    name = getattr(source, "name", None)
+    label = visible(name) if isinstance(name, str) else "the input"
+    if isinstance(source, io.RawIOBase | io.BufferedIOBase) or "b" in str(getattr(source, "mode", "")):
+        return Given(label, open=lambda: cast(BinaryIO, source), is_lent=True)
+    if isinstance(source, Iterable):
+        return Given(label, lines=cast(Iterable[str], source))
+    raise TypeError(f"cannot read {type(source).__name__}; expected a path, text, bytes, lines or an open file")
+
+
+def is_file(name: str) -> bool:
+    """Whether a text is the name of a file or folder."""
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False

@@ -1,0 +1,295 @@
+"""Each source, read once: what it is, and what is in it, in order.
+
+A frame by itself needs no part that reads captures, so those are imported for the first file.
+"""
+
+from __future__ import annotations
+
+import io
+import zlib
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, BinaryIO
+
+from ev3proto.capture.byte_account import Account
+from ev3proto.capture.record import Announcement, CaptureError, Place, Record, Skipped
+from ev3proto.capture.text_log import TextLog
+from ev3proto.checking.report import Severity
+from ev3proto.errors import counted
+from ev3proto.reading.given import Given
+from ev3proto.reading.items import Code, Event, Image, Item, Problem, Source, SourceKind
+from ev3proto.reading.kinds import Contents, Kind, recognized
+from ev3proto.reading.options import BUILTIN, MIB, Options, Sources
+from ev3proto.reading.texts import TextReader
+from ev3proto.tables import check_dialect
+from ev3proto.tables.program import MAX_IMAGE
+from ev3proto.text.paste import Pasted
+
+if TYPE_CHECKING:
+    from ev3proto.capture import Capture
+    from ev3proto.capture.formats import CaptureFile
+
+MOST_SKIPPED = 10
+"""Maximum number of unreadable places in a capture that are yielded one by one."""
+
+
+class Part:
+    """One source, which is read by iterating once.
+
+    label    its name in problems
+    account  what the bytes read so far are
+    is_text  whether its records are numbered by lines, not by packets
+    """
+
+    def __init__(self, given: Given, options: Options, log: TextLog) -> None:
+        self.label = given.label
+        self.account = Account()
+        self.is_text = True
+        self._given = given
+        self._options = options
+        self._place = Place(given.label)
+        self._log = log
+        self._texts = TextReader(given, options, log)
+        self._file: CaptureFile | None = None
+
+    @property
+    def progress(self) -> float | None:
+        """The part of its file that was read, 0 to 1; None if its size is unknown."""
+        return None if self._file is None else self._file.progress
+
+    def __iter__(self) -> Iterator[Event]:
+        is_empty = True
+        for event in self._all() if self._options.filter is None else self._matching():
+            is_empty = is_empty and isinstance(event, Problem) and event.severity is not Severity.ERROR
+            yield event
+        if is_empty:
+            yield self.nothing()
+
+    # What is missing
+
+    def nothing(self, wanted: str = "frame") -> Problem:
+        """Returns the problem that nothing is in the source, or nothing of what is wanted."""
+        is_filtered, account = self._options.filter is not None, self.account
+        if self.is_text and not is_filtered and not account.frames:
+            return self._texts.nothing()
+        matches = " matches the filter" if is_filtered else ""
+        code = Code.NO_MATCH if is_filtered and account.frames + account.texts else Code.EMPTY
+        return Problem(self._place, code, f"no {wanted} in {self.extent}{matches}{self.passed_over}")
+
+    @property
+    def extent(self) -> str:
+        """The part of it that was read: `12 packets`."""
+        return counted(self.account.packets, "frame" if self.is_text else "packet")
+
+    @property
+    def passed_over(self) -> str:
+        """Why packets may have frames although none was found, for problems; empty if they have none."""
+        account = self.account
+        said = ""
+        for place, count in account.strange.items() if not account.frames else ():
+            option = f"--port {place.rpartition(' ')[2]}" if "TCP" in place else "--all"
+            was, them = ("was", "it as it is") if count == 1 else ("were", "them as they are")
+            said += f"; {counted(count, 'packet')} {place} {was} not recognised; {option} shows {them}"
+        if account.cut:
+            said += f"; of {counted(account.cut, 'packet')} only the first bytes were captured (snap length)"
+        return said
+
+    # What is there
+
+    def _matching(self) -> Iterator[Event]:
+        """Yields the records that match the filter, and everything that has no frames."""
+        from ev3proto.capture.filter import Choosing  # takes 10 ms, which only filters need
+
+        options = self._options
+        assert options.filter is not None
+        choosing = Choosing(options.filter, options.memory)
+        is_begun = False
+        for event in self._all():
+            if isinstance(event, Announcement | Skipped):
+                continue
+            if not isinstance(event, Record):
+                yield event
+                continue
+            if not is_begun:
+                # Times count from the first packet, as those that are shown.
+                options.filter.begin(event.time_ns if self.account.first_ns is None else self.account.first_ns)
+                is_begun = True
+            yield from choosing.take(event)
+        yield from choosing.end()
+        if choosing.given_up:
+            sentence = (
+                f"{choosing.given_up} commands count as unanswered before the end of the capture: the"
+                f" memory limit is {options.memory // MIB} MiB (--memory)"
+            )
+            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
+
+    def _all(self) -> Iterator[Event]:
+        """Yields everything. Raises OSError if the file cannot be opened, unless that is to be a problem."""
+        given, stream = self._given, None
+        self.account = self._log.begin()
+        try:
+            if given.open is not None and not (self._is_for_wireshark and given.path is not None):
+                stream = given.open()
+        except OSError as error:
+            if self._options.raises:
+                raise
+            yield self._unreadable(error)
+            return
+        try:
+            yield from self._opened(stream)
+        except (OSError, EOFError, zlib.error) as error:
+            if given.word is not None and self._options.raises:
+                raise
+            yield self._unreadable(error)
+        finally:
+            if stream is not None and not given.is_lent:
+                stream.close()
+
+    def _unreadable(self, error: Exception) -> Problem:
+        return Problem(self._place, Code.DAMAGED, f"cannot be read: {getattr(error, 'strerror', None) or error}")
+
+    @property
+    def _is_for_wireshark(self) -> bool:
+        return self._options.engine != BUILTIN
+
+    def _opened(self, stream: BinaryIO | None) -> Iterator[Event]:
+        given, options = self._given, self._options
+        if given.word is not None:
+            yield from self._texts.word(given.word)
+        elif given.lines is not None:
+            yield from self._texts.lines(given.lines)
+        elif given.frame is not None:
+            yield from self._contents(io.BytesIO(given.frame))
+        elif given.is_program_source and options.sources is not Sources.NO:
+            from ev3proto.program.sources import MAX_SOURCE  # takes 50 ms, which frames do not need
+
+            assert stream is not None
+            yield Source(stream.read(MAX_SOURCE + 1), self._place, SourceKind.PROGRAM)
+        elif self._is_for_wireshark:
+            yield from self._captured(None, stream)
+        elif stream is not None:
+            yield from self._contents(stream)
+
+    def _contents(self, stream: BinaryIO) -> Iterator[Event]:
+        """Yields what is in a file. Raises OSError, EOFError or zlib.error."""
+        from ev3proto.capture.formats import CaptureFile  # takes 9 ms, which frames do not need
+
+        options, given = self._options, self._given
+        self._file = file = CaptureFile(stream)
+        found = recognized(file, given.path, options.dialect, options.words.accepted)
+        if found.kind is Kind.CAPTURE:
+            yield from self._captured(file, None)
+        elif found.kind is Kind.PROGRAM:
+            yield self._image(file)
+        elif found.kind is Kind.TEXT:
+            yield from self._text(file, found)
+        elif found.kind is Kind.FRAMES:
+            for pasted in found.frames:
+                yield from self._texts.pasted(pasted)
+        elif given.frame is not None:
+            yield from self._texts.pasted(Pasted(given.frame, 1, ""))
+        else:
+            yield Problem(self._place, Code.KIND, found.reason)
+
+    def _image(self, file: CaptureFile) -> Image | Problem:
+        if self._options.images:
+            return Image(file.contents.read(MAX_IMAGE + 1), self._place)
+        return Problem(self._place, Code.KIND, "this is a program image (.rbf); `ev3proto decode` shows it")
+
+    def _text(self, file: CaptureFile, found: Contents) -> Iterator[Event]:
+        most = self._options.whole
+        if most:
+            yield Source(file.contents.read(most + 1), self._place, SourceKind.TEXT)
+        else:
+            yield from self._texts.lines(found.lines)
+
+    def _captured(self, file: CaptureFile | None, stream: BinaryIO | None) -> Iterator[Event]:
+        """Yields the events of a capture, and what cannot be read of it. Raises OSError."""
+        self.is_text = False
+        places = lost = 0
+        try:
+            with self._capture(file, stream) as capture:
+                self.account = capture.account
+                for event in capture.events():
+                    if isinstance(event, Record):
+                        event.name = self.label
+                    elif isinstance(event, Skipped):
+                        places += 1
+                        lost += len(event.data)
+                        if places <= MOST_SKIPPED:
+                            yield _skipped(event, self.label)
+                    yield event
+        except CaptureError as error:
+            yield Problem(self._place, Code.DAMAGED, str(error))
+        if self.account.forgotten:
+            sentence = self._options.given_up(self.account.forgotten)
+            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
+        if places > MOST_SKIPPED:
+            sentence = f"and {places - MOST_SKIPPED} more places; {lost} bytes in all could not be read"
+            yield Problem(self._place, Code.SKIPPED, sentence)
+
+    def _capture(self, file: CaptureFile | None, stream: BinaryIO | None) -> Capture:
+        """Opens a capture: a file, or with tshark a stream or the file that was named."""
+        from ev3proto.capture import read  # takes 10 ms, which frames do not need
+
+        options = self._options
+        dialect, ports, memory = options.dialect, options.ports, options.memory
+        if file is not None:
+            return read(file, dialect=dialect, ports=ports, everything=options.everything, memory=memory)
+        from ev3proto import pyshark  # takes 24 ms, which only this engine needs
+
+        source = stream or self._given.path
+        assert source is not None
+        return pyshark.read(source, dialect=dialect, ports=ports, tshark=options.tshark, memory=memory)
+
+
+def _skipped(event: Skipped, label: str) -> Problem:
+    route = event.route
+    sentence = f"{route.source} to {route.target}: {event.reason}"
+    return Problem(Place(label, packet=event.number), Code.SKIPPED, sentence)
+
+
+class Reading:
+    """What is read of several sources, in order, by iterating once.
+
+    parts  the sources
+    """
+
+    def __init__(self, sources: Sequence[Given], options: Options) -> None:
+        check_dialect(options.dialect)
+        self.options = options
+        self._log = TextLog(options.dialect, options.memory)
+        self.parts = [Part(given, options, self._log) for given in sources]
+        self._begun: list[Part] = []
+
+    def __iter__(self) -> Iterator[Item]:
+        """Yields records, images, sources and problems. Raises OSError for a file that cannot be opened."""
+        for event in self.events():
+            if not isinstance(event, Announcement | Skipped):
+                yield event
+
+    def events(self) -> Iterator[Event]:
+        """Yields the same, and the texts around frames and the bytes between them."""
+        for part in self.parts:
+            self._begun.append(part)
+            yield from part
+        dropped = self._log.budget.dropped
+        if dropped:
+            yield Problem(Place("the input"), Code.MEMORY, self.options.given_up(dropped), Severity.WARNING)
+
+    @property
+    def account(self) -> Account:
+        """What all bytes read so far are."""
+        account = Account()
+        for part in self.parts:
+            account.add(part.account)
+        return account
+
+    @property
+    def unit(self) -> str:
+        """What the numbers of records count: packets, or lines if only texts were read."""
+        return "line" if all(part.is_text for part in self.parts) else "packet"
+
+    @property
+    def progress(self) -> float | None:
+        """The part of the current file that was read, 0 to 1; None if its size is unknown."""
+        return self._begun[-1].progress if self._begun else None

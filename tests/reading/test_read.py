@@ -1,0 +1,204 @@
+"""`ev3proto.read`: whatever it is given, it yields records, images, sources and problems, and prints nothing."""
+
+from __future__ import annotations
+
+import gzip
+import io
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import ev3proto
+from ev3proto.reading import Code, Severity, SourceKind, assembled
+
+CAPTURES = Path(__file__).parents[2] / "captures"
+ASK, ANSWER = bytes.fromhex("08002a00000400810160"), bytes.fromhex("07002a0002a470fd40")
+IMAGE = ev3proto.program.assemble("vmthread MAIN\n{\n  UI_WRITE(LED, 3)\n}").image
+
+
+def records(*sources: ev3proto.reading.Readable) -> list[ev3proto.Record]:
+    found = list(ev3proto.read(*sources))
+    assert all(isinstance(item, ev3proto.Record) for item in found), found
+    return [item for item in found if isinstance(item, ev3proto.Record)]
+
+
+def problem(source: ev3proto.reading.Readable) -> ev3proto.Problem:
+    (found,) = ev3proto.read(source)
+    assert isinstance(found, ev3proto.Problem)
+    return found
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_printed(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
+    yield
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        ASK,
+        bytearray(ASK),
+        ASK.hex(),
+        "0x|08:00|2A:00|00|04:00|81|01|60|",
+        f"09:12:31 sent {ASK.hex(' ')}\n",
+        ["a heading\n", f"{ASK.hex(':')}\n"],
+        io.StringIO(f"{ASK.hex()}\n"),
+        io.BytesIO(ASK),
+        io.BytesIO(ASK.hex().encode()),
+    ],
+    ids=["bytes", "bytearray", "hex", "lesson", "log", "lines", "text file", "binary file", "file of hex"],
+)
+def test_a_frame_in_any_form(source: ev3proto.reading.Readable) -> None:
+    (record,) = records(source)
+    assert record.message.build() == ASK
+    assert record.direction == "sent"
+
+
+def test_sources_share_a_dialogue() -> None:
+    command, reply = records(ASK, ANSWER.hex())
+    assert reply.request is command
+    (value,) = reply.values
+    assert (value.full_name, value.unit, round(value.number, 2)) == ("UI_READ.GET_VBATT", "V", 7.92)
+
+
+def test_a_path_is_a_file_and_so_is_a_text_with_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("robot.log").write_text(f"start\n09:12:31.5 {ASK.hex()}\n09:12:31.6 {ANSWER.hex()}\n")
+    for source in ("robot.log", Path("robot.log")):
+        command, reply = records(source)
+        assert (str(command.place), str(reply.place)) == ("robot.log, line 2", "robot.log, line 3")
+        assert reply.latency == pytest.approx(0.1)
+
+
+def test_captures_of_all_kinds(tmp_path: Path) -> None:
+    path = CAPTURES / "usb-plugged.pcap"
+    packed = tmp_path / "robot.gz"
+    packed.write_bytes(gzip.compress(path.read_bytes()))
+    expected = [record.frame for record in ev3proto.capture.read(path)]
+    for source in (path, str(path), path.read_bytes(), io.BytesIO(path.read_bytes()), packed):
+        assert [record.frame for record in records(source)] == expected
+    assert str(records(path)[0].place) == f"{path}, packet 1"
+
+
+def test_the_time_is_unknown_in_a_text_without_times() -> None:
+    (record,) = records(ASK)
+    assert record.time is None
+    (record,) = records(f"2026-01-31T09:12:31.5Z {ASK.hex()}\n")
+    assert record.time == 1769850751.5
+
+
+def test_what_a_text_says_besides_bytes() -> None:
+    frame = f"{ASK.hex(' ')} 00 00\n"
+    (record,) = records(["08 00 xx xx 00 04 00 81 01 60\n"])
+    assert record.unknown == {2, 3}
+    (record,) = records([frame])
+    assert (record.rest, record.is_cut) == (bytes(2), False)
+    (record,) = records(["sent 0e 00 2a 00 80 00 00 94 01 01 82 ...\n"])
+    assert record.is_cut
+
+
+def test_a_program_and_sources(tmp_path: Path) -> None:
+    (image,) = ev3proto.read(IMAGE)
+    assert isinstance(image, ev3proto.Image)
+    assert ev3proto.program.parse(image.data).build() == IMAGE
+    path = tmp_path / "hello.lms"
+    path.write_text("vmthread MAIN\n{\n  UI_WRITE(LED, 3)\n}")
+    (source,) = ev3proto.read(path)
+    assert isinstance(source, ev3proto.Source)
+    assert (source.kind, ev3proto.program.assemble(source.text).image) == (SourceKind.PROGRAM, IMAGE)
+
+
+def test_assembly_is_a_source_of_frames() -> None:
+    (source,) = ev3proto.read("UI_READ(GET_VBATT, GV0(0))")
+    assert isinstance(source, ev3proto.Source)
+    (record,) = assembled(source, counter=42)
+    assert isinstance(record, ev3proto.Record)
+    assert record.frame == ASK
+    (source,) = ev3proto.read(["UI_READ(GET_VBATT, GV0(0))\n", "UI_REED(GET_VBATT)\n"])
+    assert isinstance(source, ev3proto.Source)
+    *_, error = assembled(source)
+    assert isinstance(error, ev3proto.Problem)
+    assert (error.place.line, error.place.column, error.severity) == (2, 1, Severity.ERROR)
+    assert error.excerpt == "UI_REED(GET_VBATT)\n^"
+
+
+def test_problems_have_a_place_and_a_code(tmp_path: Path) -> None:
+    log = tmp_path / "robot.log"
+    log.write_text("sent 08 00 2a 00 00 04 00 81 01 6G\n")
+    wrong = next(item for item in ev3proto.read(log) if isinstance(item, ev3proto.Problem))
+    assert (wrong.code, wrong.severity, wrong.place.line) == (Code.TEXT, "error", 1)
+    assert str(wrong) == f"{log}, line 1: {wrong.message}"
+    assert str(problem("zz")) == "'zz' is neither a file nor a frame: 'zz' is not hex"
+
+
+@pytest.mark.parametrize(
+    ("source", "code"),
+    [
+        (b"", Code.EMPTY),
+        ("nothing here\n", Code.EMPTY),
+        ([], Code.EMPTY),
+        (io.BytesIO(b"PK\x03\x04" + bytes(20)), Code.KIND),
+        (io.BytesIO(bytes.fromhex("0a0d0d0a ffffffff")), Code.DAMAGED),
+    ],
+)
+def test_a_source_without_anything_is_one_problem(source: ev3proto.reading.Readable, code: Code) -> None:
+    assert problem(source).code == code
+
+
+def test_a_filter_that_nothing_matches() -> None:
+    (found,) = ev3proto.read(CAPTURES / "usb-plugged.pcap", filter="op == SOUND.PLAY")
+    assert isinstance(found, ev3proto.Problem)
+    assert found.code is Code.NO_MATCH
+    voltages = list(ev3proto.read(CAPTURES / "usb-plugged.pcap", filter="op == UI_READ.GET_VBATT"))
+    assert len(voltages) == 4
+
+
+def test_only_a_file_that_cannot_be_opened_raises(tmp_path: Path) -> None:
+    for source in (tmp_path / "robot.log", str(tmp_path / "robot.log"), tmp_path):
+        with pytest.raises(OSError, match=str(tmp_path)):
+            list(ev3proto.read(source))
+
+
+def test_wrong_calls() -> None:
+    with pytest.raises(ValueError, match="dialect must be one of"):
+        ev3proto.read(ASK, dialect="nxt")
+    with pytest.raises(ValueError, match="unknown engine"):
+        ev3proto.read(ASK, engine="pyshark")
+    with pytest.raises(TypeError, match="cannot read int"):
+        ev3proto.read(42)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="TOEN"):
+        ev3proto.read(ASK, filter="op == SOUND.TOEN")
+
+
+def test_lines_are_read_as_they_come() -> None:
+    read: list[str] = []
+
+    def typed() -> Iterator[str]:
+        for line in (f"{ASK.hex()}\n", f"{ANSWER.hex()}\n"):
+            read.append(line)
+            yield line
+
+    items = ev3proto.read(typed())
+    next(items)
+    assert len(read) == 1
+
+
+def test_a_faulty_frame_is_a_record() -> None:
+    (record,) = records(ASK[:-1])
+    assert record.message.fault is not None
+    assert record.message.build() == ASK[:-1]
+
+
+def test_a_record_as_other_tools_get_it() -> None:
+    (record,) = records(f"09:12:31 sent {ASK.hex()}\n")
+    entry = record.as_dict()
+    assert (entry["kind"], entry["direction"], entry["time"], entry["hex"]) == (
+        "direct-command",
+        "sent",
+        "09:12:31",
+        ASK.hex(),
+    )
+    entry = records(CAPTURES / "usb-plugged.pcap")[1].as_dict()
+    assert (entry["packets"], entry["carrier"], entry["answers"]) == ([3], "usb", 1)

@@ -37,6 +37,7 @@ __all__ = [
     "Item",
     "Place",
     "Problem",
+    "Readable",
     "Record",
     "Severity",
     "Source",

@@ -12,6 +12,7 @@ Everything is imported on first use.
 from __future__ import annotations
 
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.version import VERSION
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from ev3proto.dialogue import Value as Value
     from ev3proto.errors import BuildError as BuildError
     from ev3proto.errors import DecodeError as DecodeError
+    from ev3proto.errors import Error as Error
     from ev3proto.errors import Fault as Fault
     from ev3proto.link.async_ev3 import AsyncEV3 as AsyncEV3
     from ev3proto.link.errors import ConnectionLostError as ConnectionLostError
@@ -101,6 +103,9 @@ if TYPE_CHECKING:
     from ev3proto.stream import Decoder as Decoder
     from ev3proto.stream import StreamError as StreamError
     from ev3proto.tables.frame import MessageType as MessageType
+    from ev3proto.tables.ports import MotorPort as MotorPort
+    from ev3proto.tables.ports import MotorPorts as MotorPorts
+    from ev3proto.tables.ports import SensorPort as SensorPort
     from ev3proto.tables.system import SystemStatus as SystemStatus
     from ev3proto.text.fixed_text import FixedText as FixedText
     from ev3proto.text.fixed_text import fix_text as fix_text
@@ -116,7 +121,7 @@ _NAMES = {
     "ev3proto.checking.report": ("Finding", "Fix", "Report", "Severity"),
     "ev3proto.compose": ("Draft", "Global", "Label", "Local", "command"),
     "ev3proto.dialogue": ("Dialogue", "Exchange", "Transfer", "Value"),
-    "ev3proto.errors": ("BuildError", "DecodeError", "Fault"),
+    "ev3proto.errors": ("BuildError", "DecodeError", "Error", "Fault"),
     "ev3proto.link.async_ev3": ("AsyncEV3",),
     "ev3proto.link.errors": (
         "ConnectionLostError",
@@ -159,6 +164,7 @@ _NAMES = {
     ),
     "ev3proto.stream": ("Decoder", "StreamError"),
     "ev3proto.tables.frame": ("MessageType",),
+    "ev3proto.tables.ports": ("MotorPort", "MotorPorts", "SensorPort"),
     "ev3proto.tables.system": ("SystemStatus",),
     "ev3proto.text.fixed_text": ("FixedText", "fix_text"),
 }
@@ -186,4 +192,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, *import_module("ev3proto.schema.names").constant_names()})
+    """Returns the public names and the modules; the constants of the instruction set can be imported all the same."""
+    modules = {name for name, value in globals().items() if isinstance(value, ModuleType)}
+    return sorted({*(name for name in globals() if name.startswith("__")), *modules, *_MODULES, *__all__})

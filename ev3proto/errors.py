@@ -25,7 +25,11 @@ class Fault(NamedTuple):
         return f"offset {self.offset}: {self.reason}"
 
 
-class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
+class Error(Exception):
+    """The base of the errors that this package raises about frames, files, texts and connections."""
+
+
+class DecodeError(ConstructError, ValueError, Error):  # type: ignore[misc]
     """Bytes that are not a valid frame; `offset` counts from the start of the frame or stream."""
 
     def __init__(self, offset: int, reason: str, truncated: bool = False, path: str | None = None) -> None:
@@ -51,7 +55,7 @@ class DecodeError(ConstructError, ValueError):  # type: ignore[misc]
         return (type(self), (*self.fault, self.path))
 
 
-class BuildError(ConstructError, ValueError):  # type: ignore[misc]
+class BuildError(ConstructError, ValueError, Error):  # type: ignore[misc]
     """Values that do not fit into a frame; the message names the parameter, the value and what would be right."""
 
 

@@ -96,6 +96,11 @@ __all__ = [
     "values_for",
 ]
 
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 PlainValue = int | float | str | Variable
 OperationValue = PlainValue | list[PlainValue]
 """A value that `ev3proto.operation` takes for one parameter."""

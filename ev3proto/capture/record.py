@@ -9,6 +9,7 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
+from ev3proto.errors import Error
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import FrameReader
@@ -24,7 +25,7 @@ HOST = "host"
 """The computer's end of a route, if its address is unknown."""
 
 
-class CaptureError(ValueError):
+class CaptureError(ValueError, Error):
     """A fault of a capture as a whole. It is raised after everything readable was given."""
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from ev3proto.checking.report import Report
-from ev3proto.errors import counted
+from ev3proto.errors import Error, counted
 from ev3proto.messages import SystemReply
 from ev3proto.tables.system import status_meaning
 
 
-class LinkError(Exception):
+class LinkError(Error):
     """The base of the errors of a connection to a brick."""
 
 

@@ -41,3 +41,7 @@ def __getattr__(name: str) -> Any:
     if name not in ("FRAME", "OPERATIONS"):
         raise AttributeError(f"module 'ev3proto.schema' has no attribute {name!r}")
     return getattr(declared(), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

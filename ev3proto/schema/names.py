@@ -39,7 +39,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, LOCAL
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
-from ev3proto.tables.output import PORTS as OUTPUT_PORTS
+from ev3proto.tables.ports import MotorPort, MotorPorts
 from ev3proto.tables.system import SYSTEM, SystemStatus
 
 Constant = bytes | int | str
@@ -159,11 +159,10 @@ def _members() -> Iterator[tuple[str, Constant]]:
 def _ports() -> Iterator[tuple[str, Constant]]:
     for number in SENSOR_PORTS:
         yield f"PORT_{number + 1}", encode_integer(number)
-    for letter, number in zip(OUTPUT_PORTS.values(), MOTOR_PORTS, strict=True):
-        yield f"PORT_{letter}_SENSOR", encode_integer(number)
-    bits = {letter: 1 << number for number, letter in OUTPUT_PORTS.items()}
-    yield from ((f"PORT_{letter}", bit) for letter, bit in bits.items())
-    yield "PORTS_ALL", sum(bits.values())
+    for port, number in zip(MotorPort, MOTOR_PORTS, strict=True):
+        yield f"PORT_{port.name}_SENSOR", encode_integer(number)
+    yield from ((f"PORT_{port.name}", port.value) for port in MotorPorts)
+    yield "PORTS_ALL", MotorPorts.ALL.value
 
 
 def LCX(value: int) -> bytes:
@@ -287,7 +286,7 @@ def port_motor_input(port_output: int) -> bytes:
     Raises:
         BuildError: The value is anything else.
     """
-    bits = {1 << number: motor for number, motor in zip(OUTPUT_PORTS, MOTOR_PORTS, strict=True)}
+    bits = dict(zip(map(int, MotorPorts), MOTOR_PORTS, strict=True))
     number = _whole(port_output, "port_motor_input")
     if number not in bits:
         raise BuildError(f"port_motor_input takes one of the ports {', '.join(map(str, bits))}, not {number}")

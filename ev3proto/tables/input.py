@@ -20,9 +20,10 @@ from ev3proto.tables.declaration import (
     Role,
 )
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
+from ev3proto.tables.ports import MotorPort, SensorPort
 
-PORTS = {0: "port 1", 1: "port 2", 2: "port 3", 3: "port 4"}
-MOTOR_PORTS = {16: "motor port A", 17: "motor port B", 18: "motor port C", 19: "motor port D"}
+PORTS = {port.value: f"port {port + 1}" for port in SensorPort}
+MOTOR_PORTS = {16 + port: f"motor port {port.name}" for port in MotorPort}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
 LAYERS = In("LAYER", DATA8, "brick in the daisy chain", range=(0, 3), special={-1: "all layers"}, role=Role.LAYER)

@@ -16,11 +16,13 @@ from ev3proto.tables.declaration import (
     Role,
 )
 from ev3proto.tables.enumerations import TYPE
+from ev3proto.tables.ports import MotorPort, MotorPorts
 
 MOST = 2**31 - 1
-PORTS = {0: "A", 1: "B", 2: "C", 3: "D"}
+PORTS = {port.value: port.name for port in MotorPort}
 PORT_SETS = {0: "none"} | {
-    mask: "+".join(port for bit, port in PORTS.items() if mask & 1 << bit) for mask in range(1, 16)
+    mask: "+".join(port.name for port in MotorPort if mask & MotorPorts[port.name])
+    for mask in range(1, MotorPorts.ALL + 1)
 }
 LETTERS = {letter: number for number, letter in PORTS.items()}
 MASKS = {letters: mask for mask, letters in PORT_SETS.items() if mask}

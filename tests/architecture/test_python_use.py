@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import pickle
 from collections.abc import Callable
 from pathlib import Path
@@ -10,9 +11,27 @@ from typing import Any
 import pytest
 
 import ev3proto
-from ev3proto import GV, LV, BuildError, DecodeError, DirectCommand, DirectReply, Message, SystemReply, ops, program
+from ev3proto import (
+    GV,
+    LV,
+    BuildError,
+    DecodeError,
+    DirectCommand,
+    DirectReply,
+    Draft,
+    Message,
+    MotorPort,
+    MotorPorts,
+    SensorPort,
+    SystemReply,
+    ops,
+    program,
+    testing,
+)
 from ev3proto.brick import Brick
-from ev3proto.capture import read
+from ev3proto.capture import CaptureError, read
+from ev3proto.capture.filter import FilterError, compile_filter
+from ev3proto.text.assembly import AssemblyError, assemble
 
 pytestmark = pytest.mark.portable
 
@@ -105,3 +124,59 @@ def test_records_can_be_pickled(name: str) -> None:
         assert (again.message, again.latency, again.transfer) == (record.message, record.latency, record.transfer)
         assert repr(again.values) == repr(record.values)
         assert repr(pickle.loads(pickle.dumps(record)).message) == repr(record.message)
+
+
+# Errors, names, ports
+
+
+@pytest.mark.parametrize(
+    ("call", "bases"),
+    [
+        (lambda: ev3proto.parse(b"\x00"), (DecodeError, ValueError)),
+        (lambda: ev3proto.operation("SOUND.TONE", 1), (BuildError, ValueError)),
+        (lambda: list(ev3proto.Decoder().feed(b"\xff\xff\x00\x00\x80")), (ev3proto.StreamError, DecodeError)),
+        (lambda: list(read(io.BytesIO(b"not a capture"))), (CaptureError, ValueError)),
+        (lambda: assemble("SOUND("), (AssemblyError, ValueError)),
+        (lambda: compile_filter("VOLUME >"), (FilterError, ValueError)),
+    ],
+)
+def test_one_class_is_above_all_errors(call: Callable[[], object], bases: tuple[type[Exception], ...]) -> None:
+    with pytest.raises(ev3proto.Error) as caught:
+        call()
+    assert all(isinstance(caught.value, base) for base in bases)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def test_errors_of_connections_are_below_it_too() -> None:
+    assert issubclass(ev3proto.LinkError, ev3proto.Error)
+    assert issubclass(ev3proto.NoAnswerError, TimeoutError)
+
+
+def test_dir_lists_what_is_public() -> None:
+    assert {"parse", "Error", "MotorPorts", "schema", "messages", "__version__"} <= set(dir(ev3proto))
+    assert not {"opSound", "TONE", "LED_RED", "import_module", "TYPE_CHECKING"} & set(dir(ev3proto))
+    assert ev3proto.opSound == b"\x94"
+    assert {"FRAME", "OPERATIONS", "declared"} <= set(dir(ev3proto.schema))
+    assert dir(testing) == testing.__all__
+
+
+@pytest.mark.parametrize(
+    ("operation", "encoded"),
+    [
+        (ops.output_start(0, MotorPorts.A), "A6 00 01"),
+        (ops.output_start(0, MotorPorts.A | MotorPorts.D), "A6 00 09"),
+        (ops.output_start(0, MotorPorts.ALL), "A6 00 0F"),
+        (ops.output_get_count(0, MotorPort.D, GV(0)), "B3 00 03 60"),
+        (ops.input_device.get_typemode(0, SensorPort.S2, GV(0), GV(1)), "99 05 00 01 60 61"),
+        (ops.input_read(0, SensorPort.S4, 0, 0, GV(0)), "9A 00 03 00 00 60"),
+    ],
+)
+def test_names_of_ports(operation: Draft, encoded: str) -> None:
+    assert ev3proto.command(operation).build()[7:] == bytes.fromhex(encoded)
+
+
+def test_a_bit_is_not_taken_for_a_number() -> None:
+    with pytest.raises(BuildError, match="NOS takes a MotorPorts or a number, not <MotorPort"):
+        ops.output_start(0, MotorPort.A)
+    with pytest.raises(BuildError, match="NO takes a SensorPort or a number, not <MotorPort"):
+        ops.input_read(0, MotorPort.A, 0, 0, GV(0))

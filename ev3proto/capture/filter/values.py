@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ev3proto.capture.filter.pattern import PatternError, compile_pattern
 from ev3proto.capture.record import Record
-from ev3proto.errors import near_misses
+from ev3proto.errors import Error, near_misses
 from ev3proto.tables.declaration import Enumeration
 from ev3proto.tables.encoding import STRING_CODING
 
@@ -27,7 +27,7 @@ _DECIMAL = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY = re.compile(rf"({_DECIMAL})([^\W\d_]+(?:/s)?|%|°C)")
 
 
-class FilterError(ValueError):
+class FilterError(ValueError, Error):
     """An invalid filter."""
 
     def __init__(self, column: int, reason: str, length: int = 1) -> None:

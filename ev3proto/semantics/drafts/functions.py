@@ -24,6 +24,7 @@ from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, COUNTS, TEXT, limits_of
+from ev3proto.tables.ports import MotorPort, MotorPorts, SensorPort
 
 HOW_TO_MEAN_IT = "pass unchecked=True to allow it"
 """The end of Python's error messages about values that can be encoded but have no meaning for the brick."""
@@ -228,6 +229,8 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
     """Refuses an illegal constant, or with `unchecked` only an unknown name. Raises BuildError."""
     if parameter.enum is not None:
         _check_name(parameter, value)
+    if isinstance(value, MotorPorts | MotorPort | SensorPort):
+        _check_port(parameter, value)
     if parameter.role is Role.JUMP and isinstance(value, str):
         raise BuildError(f"{parameter.name} takes a number, a variable or {Label(value or 'again')!r}, not {value!r}")
     if unchecked or not isinstance(value, int | float | str):
@@ -242,6 +245,17 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
             check_text(parameter, value)
         elif parameter.type is not Type.ARRAY_TYPED or isinstance(value, int):
             check_number(parameter, value)
+
+
+_PORTS = {Role.MOTORS: MotorPorts, Role.MOTOR: MotorPort, Role.PORT: SensorPort}
+"""The names of ports that parameters take, by their role."""
+
+
+def _check_port(parameter: Parameter, value: MotorPorts | MotorPort | SensorPort) -> None:
+    """Refuses the bit of a port where its number is meant, and the other way round."""
+    expected = None if parameter.role is None else _PORTS.get(parameter.role)
+    if expected is not None and not isinstance(value, expected):
+        raise BuildError(f"{parameter.name} takes a {expected.__name__} or a number, not {value!r}: {parameter.text}")
 
 
 def _check_name(parameter: Parameter, value: Any) -> None:

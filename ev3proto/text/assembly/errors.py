@@ -7,6 +7,8 @@ from bisect import bisect_right
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from ev3proto.errors import Error
+
 NEWLINE = r"\r\n|\r|\n"
 """Pattern of what ends a line."""
 
@@ -22,7 +24,7 @@ _MOST_SHOWN = 100
 _MOST_CITED = 40
 
 
-class AssemblyError(ValueError):
+class AssemblyError(ValueError, Error):
     """An error in assembly text.
 
     line    its line, counted from 1

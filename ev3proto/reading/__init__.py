@@ -82,7 +82,7 @@ def read(
     Raises:
         OSError: A file cannot be opened.
         ValueError: The dialect, the engine or the filter is unknown or wrong.
-        TypeError: A source is none of these.
+        TypeError: A source is of another type.
     """
     if isinstance(filter, str):
         from ev3proto.capture.filter import compile_filter  # takes 16 ms, which only filters need

@@ -10,7 +10,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from making import bluetooth, conformance, usb, wifi
+from making import bluetooth, conformance, senders, usb, wifi
 from making.files import write_btsnoop, write_pcap, write_pcapng
 
 ETHERNET, BLUETOOTH_H4_WITH_DIRECTION, USBMON, USBMON_MAPPED, USBPCAP = 1, 201, 189, 220, 249
@@ -22,6 +22,7 @@ def main(folder: Path) -> None:
     write_pcapng(folder / "conformance.pcapng", conformance.whole(), ETHERNET)
     write_pcapng(folder / "wifi-long.pcapng", wifi.long_downloads(), ETHERNET)
     write_pcap(folder / "wifi-reordered.pcap", wifi.reordered(), ETHERNET, nano=True)
+    write_pcapng(folder / "senders.pcapng", senders.whole(), ETHERNET)
     write_pcapng(folder / "usb.pcapng", usb.plugged_in(), USBMON_MAPPED)
     write_pcap(folder / "usb-plugged.pcap", usb.among_others(), USBMON)
     write_pcap(folder / "usb-windows.pcap", usb.windows(), USBPCAP)

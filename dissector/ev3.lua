@@ -5430,6 +5430,16 @@ local DAISY = {
     sensor_report_size = 38,
 }
 
+-- Pairing ------------------------------------------------------------------------------------------------------------
+--
+-- When a reply answers a command; times are in nanoseconds.
+
+local MOST_PER_COUNTER = 256
+local PAIRING = {
+    patience = 3, least = 50000000, first = 10000000000,
+    unsure = "the pairing is unsure: several commands with its counter waited",
+}
+
 -- Claims -------------------------------------------------------------------------------------------------------------
 --
 -- When traffic is claimed as this protocol.
@@ -5591,32 +5601,25 @@ end
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
 
 -- Expert information, with the filter name of each kind.
-local experts = {
-    fault = ProtoExpert.new("ev3.expert.fault", "Faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
-    unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "Unknown opcode",
-        expert.group.MALFORMED, expert.severity.ERROR),
-    unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "Unknown CMD",
-        expert.group.MALFORMED, expert.severity.ERROR),
-    cut_off = ProtoExpert.new("ev3.expert.cut_off", "Cut off", expert.group.MALFORMED, expert.severity.ERROR),
-    cut_by_capture = ProtoExpert.new("ev3.expert.cut_by_capture", "Cut by the capture",
-        expert.group.UNDECODED, expert.severity.NOTE),
-    misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable",
-        expert.group.PROTOCOL, expert.severity.ERROR),
-    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the requested memory",
-        expert.group.PROTOCOL, expert.severity.WARN),
-    no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "No frame starts here",
-        expert.group.MALFORMED, expert.severity.ERROR),
-    error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed",
-        expert.group.RESPONSE_CODE, expert.severity.WARN),
-    failed = ProtoExpert.new("ev3.expert.failed", "The command failed",
-        expert.group.RESPONSE_CODE, expert.severity.WARN),
-    orphan = ProtoExpert.new("ev3.expert.orphan", "The command that this reply answers was not seen",
-        expert.group.SEQUENCE, expert.severity.NOTE),
-    unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen",
-        expert.group.SEQUENCE, expert.severity.NOTE),
-    bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3",
-        expert.group.PROTOCOL, expert.severity.ERROR),
-}
+local experts = {}
+for name, row in pairs({
+    fault = { "Faulty frame", "MALFORMED", "ERROR" },
+    unknown_opcode = { "Unknown opcode", "MALFORMED", "ERROR" },
+    unknown_cmd = { "Unknown CMD", "MALFORMED", "ERROR" },
+    cut_off = { "Cut off", "MALFORMED", "ERROR" },
+    cut_by_capture = { "Cut by the capture", "UNDECODED", "NOTE" },
+    misaligned = { "Misaligned variable", "PROTOCOL", "ERROR" },
+    beyond_memory = { "Variable beyond the requested memory", "PROTOCOL", "WARN" },
+    no_boundary = { "No frame starts here", "MALFORMED", "ERROR" },
+    error_reply = { "The brick refused the command, or it failed", "RESPONSE_CODE", "WARN" },
+    failed = { "The command failed", "RESPONSE_CODE", "WARN" },
+    orphan = { "The command that this reply answers was not seen", "SEQUENCE", "NOTE" },
+    unanswered = { "No reply to this command was seen", "SEQUENCE", "NOTE" },
+    unsure = { "The pairing is unsure", "SEQUENCE", "NOTE" },
+    bootloader_fault = { "Bootloader fault on USB 3", "PROTOCOL", "ERROR" },
+}) do
+    experts[name] = ProtoExpert.new("ev3.expert." .. name, row[1], expert.group[row[2]], expert.severity[row[3]])
+end
 
 -- Adds expert information. Wireshark also collects it without a tree: then `item` is the root.
 local complain
@@ -6289,16 +6292,14 @@ local messages = {}
 
 local dialogues = {}
 do
-    -- Commands with the same counter that are remembered, for senders that never change it.
-    local MOST_PER_COUNTER = 4
-
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
+    local NUMBERS = 0x040000
 
     -- By place. `replies`: for a command, the number of the packet with its reply. `requests`, `delays` and `bodies`:
-    -- for a reply, the place of its command, the response time in seconds, and, of a direct command, the bytes after
-    -- the type. A table for each takes less memory than a table for each reply. `transfers`: for a message, the state
-    -- of its file.
-    local replies, requests, delays, bodies, transfers
+    -- for a reply, the place of its command, the response time in nanoseconds, and, of a direct command, the bytes
+    -- after the type. A table for each takes less memory than a table for each reply. `unsure`: the replies for which
+    -- several commands waited. `transfers`: for a message, the state of its file.
+    local replies, requests, delays, bodies, unsure, transfers
 
     -- One string for all equal bodies.
     local shared_bodies
@@ -6306,16 +6307,16 @@ do
     local conversations
 
     function dialogues.forget()
-        replies, requests, delays, bodies, transfers = {}, {}, {}, {}, {}
+        replies, requests, delays, bodies, unsure, transfers = {}, {}, {}, {}, {}, {}
         shared_bodies, conversations = {}, {}
     end
     dialogues.forget()
 
-    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
-    -- command, its `body`, the bytes after the type.
+    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in nanoseconds, of a direct
+    -- command its `body`, the bytes after the type, and whether it `is_unsure`.
     function dialogues.request_of(place)
         local command = requests[place]
-        return command and { place = command, delay = delays[place], body = bodies[place] }
+        return command and { place = command, delay = delays[place], body = bodies[place], is_unsure = unsure[place] }
     end
 
     -- Returns the number of the packet with the reply to a command.
@@ -6329,7 +6330,8 @@ do
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
-    -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
+    -- `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took for which one command
+    -- waited. Transfers are `begun` by counter, and `open` by handle.
     function dialogues.conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -6341,7 +6343,13 @@ do
 
     -- Returns what a reply has in common with its command.
     local function pending_key(message)
-        return CARRIES[message.type.carries] + message.counter
+        local carries = message.type.carries
+        local number = carries == "system" and byte(message.text, HEADER_SIZE + 1) or 0
+        return CARRIES[carries] + message.counter + NUMBERS * number
+    end
+
+    local function nanoseconds(pinfo)
+        return floor(pinfo.rel_ts * 1e9 + 0.5)
     end
 
     local function remember(conversation, place, message, pinfo)
@@ -6354,11 +6362,7 @@ do
         if message.command then body = sub(body, 1, 2) end
         body = shared_bodies[body] or body
         shared_bodies[body] = body
-        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
-    end
-
-    local function can_answer(message, command)
-        return message.type.carries ~= "system" or byte(command.body, 1) == byte(message.text, HEADER_SIZE + 1)
+        commands[#commands + 1] = { place = place, time = nanoseconds(pinfo), body = body }
     end
 
     -- Tells whether a reply has the size that its command requested.
@@ -6384,23 +6388,30 @@ do
         return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
-    -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
-    -- its counter, because a sender reuses a counter only after it gave up on the earlier command.
-    local function answered(conversation, message)
-        local key, best = pending_key(message), nil
-        local commands = conversation.waiting[key] or {}
-        for index = #commands, 1, -1 do
-            if can_answer(message, commands[index]) then
-                best = best or index
-                if fits(message, commands[index]) then
-                    best = index
-                    break
-                end
-            end
+    -- Returns the command that a reply answers, and whether others may be it. A brick answers in order: it is the
+    -- oldest that the reply fits and that has not waited much longer than this brick takes; the oldest of all if it is
+    -- slow now; the newest if the reply fits none. Earlier commands are given up.
+    local function answered(conversation, message, now)
+        local key, fitting = pending_key(message), {}
+        local commands, longest = conversation.waiting[key] or {}, conversation.longest
+        for index, command in ipairs(commands) do
+            if fits(message, command) then fitting[#fitting + 1] = index end
         end
-        local command = best and table.remove(commands, best)
+        local found, is_unsure = fitting[1] or #commands, #fitting > 1 or not fitting[1] and #commands > 1
+        if is_unsure then
+            local limit = longest and math.max(PAIRING.patience * longest, PAIRING.least) or PAIRING.first
+            for index = #fitting, 1, -1 do
+                if now - commands[fitting[index]].time <= limit then found = fitting[index] end
+            end
+        elseif commands[1] then
+            conversation.longest = math.max(longest or 0, now - commands[found].time)
+        end
+        local command = commands[found]
+        for _ = 1, found do
+            table.remove(commands, 1)
+        end
         if #commands == 0 then conversation.waiting[key] = nil end
-        return command
+        return command, is_unsure
     end
 
     -- Adds a piece to a file and returns the file. The brick closes a complete file; more data for its handle belong to
@@ -6466,13 +6477,14 @@ do
             if type.wants_reply then remember(conversation, place, message, pinfo) end
             transfer = is_on_file and follow_request(conversation, message)
         else
-            local request = answered(conversation, message)
+            local request, is_unsure = answered(conversation, message, nanoseconds(pinfo))
             if request then
                 if conversation.state == "claimed" and is_proof(message, request.body) then
                     conversation.state = "answered"
                 end
                 replies[request.place] = storage.number_of(place)
-                requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
+                requests[place], bodies[place] = request.place, request.body
+                delays[place], unsure[place] = nanoseconds(pinfo) - request.time, is_unsure or nil
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end
@@ -7104,11 +7116,11 @@ do
             if not request then
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
-                local delay, seconds = request.delay, floor(request.delay)
+                local seconds = floor(request.delay / 1e9)
                 set_generated(add(item, field.request_in, storage.number_of(request.place)))
-                local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
-                set_generated(add(item, field.response_time, time))
+                set_generated(add(item, field.response_time, NSTime.new(seconds, request.delay - seconds * 1e9)))
             end
+            if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then

@@ -1,4 +1,4 @@
-"""Dialogues: the pairing of replies with commands, and the meaning of each reply.
+"""Dialogues: the meaning of each reply, and the progress of file transfers.
 
 A reply to a direct command is only memory. The command's output parameters that are global variables
 tell what it contains and where, so a `Dialogue` remembers commands. Replies to system commands have fields
@@ -7,114 +7,14 @@ of their own; for these it remembers which file belongs to each handle.
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
 
 from ev3proto.bounded import DEFAULT_MEMORY, Budget, dropper
-from ev3proto.messages import DirectCommand, DirectReply, FieldValue, Message, SystemCommand, SystemReply
+from ev3proto.messages import FieldValue, Message, SystemCommand, SystemReply
+from ev3proto.semantics.pairing import MOST_PENDING, MOST_PER_KEY, Pairing, pairing_key
 from ev3proto.semantics.replies import Value, ValueType, reply_values, values_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
-
-T = TypeVar("T")
-
-MOST_PENDING = 65536
-"""Maximum number of remembered commands without a reply: one per counter."""
-
-MOST_PER_KEY = 4
-"""Maximum number of remembered commands with the same counter, for senders that never change it."""
-
-
-class Pairing(Generic[T]):
-    """Commands, in any form, that are remembered until their replies come.
-
-    Unanswered commands are forgotten when their counter was reused often enough, or too many are pending.
-
-    key   the key that a reply shares with the command it answers
-    size  the reply size that a direct command requests, or that a reply has
-
-    A budget limits the memory of all pairings that share it; `size_of` returns the bytes of a command.
-    """
-
-    def __init__(
-        self, most: int = MOST_PENDING, budget: Budget | None = None, size_of: Callable[[T], int] = sys.getsizeof
-    ) -> None:
-        self._most = most
-        self._budget = Budget(sys.maxsize) if budget is None else budget
-        self._size_of = size_of
-        self._drop = dropper(self)
-        self._newest: dict[Hashable, int] = {}
-        self._older: dict[Hashable, list[int]] = {}  # if several have the same key, which is rare
-        self._waiting: dict[int, tuple[Hashable, int, T, int]] = {}  # key, size, command, the budget's id
-        self._seen = 0
-        self._oldest = 0  # no command with a lower number is pending
-
-    @property
-    def unanswered(self) -> list[T]:
-        """The commands still waiting for their reply, oldest first."""
-        return [command for _, _, command, _ in self._waiting.values()]
-
-    def remember(self, key: Hashable, size: int, command: T) -> T | None:
-        """Adds a command that waits for its reply. Returns the command forgotten for it, if any."""
-        budget = self._budget
-        given = budget.given = budget.given + 1
-        number = self._seen
-        self._seen = number + 1
-        before = self._newest.get(key)
-        self._newest[key] = number
-        self._waiting[number] = key, size, command, given
-        budget.hold(given, self._size_of(command), self._drop, number)
-        if before is not None:
-            older = self._older.setdefault(key, [])
-            older.append(before)
-            if len(older) >= MOST_PER_KEY:
-                return self._forget(older[0])
-        if len(self._waiting) > self._most:
-            while self._oldest not in self._waiting:
-                self._oldest += 1
-            return self._forget(self._oldest)
-        return None
-
-    def answered(self, key: Hashable, size: int | None) -> T | None:
-        """Returns the command that a reply answers: the newest that requested this size, else the newest, else None.
-
-        The newest, because a sender reuses a counter only after it gave up on the one before. `size` is None
-        for a reply without a meaningful size.
-        """
-        newest = self._newest.get(key)
-        if newest is None:
-            return None
-        if size is not None and key in self._older:
-            for number in (newest, *reversed(self._older[key])):
-                if self._waiting[number][1] == size:
-                    return self._forget(number)
-        return self._forget(newest)
-
-    def __del__(self) -> None:
-        for *_, given in self._waiting.values():
-            self._budget.release(given)
-
-    def forget(self, number: int) -> None:
-        """Forgets the command with a number, if it is still pending."""
-        if number in self._waiting:
-            self._forget(number)
-
-    def _forget(self, number: int) -> T:
-        key, _, command, given = self._waiting.pop(number)
-        self._budget.release(given)
-        if key not in self._older:
-            del self._newest[key]
-            return command
-        older = self._older[key]
-        if number == self._newest[key]:
-            self._newest[key] = older.pop()
-        else:
-            older.remove(number)
-        if not older:
-            del self._older[key]
-        return command
-
 
 MOST_BEGUN = 4096
 """Maximum number of unanswered BEGIN_... commands; the same as in a conversation."""
@@ -260,7 +160,17 @@ def _number(value: FieldValue | None) -> int:
     return value if isinstance(value, int) else -1
 
 
-__all__ = ["Dialogue", "Exchange", "Transfer", "Value", "ValueType", "reply_values", "values_of"]
+__all__ = [
+    "MOST_PENDING",
+    "MOST_PER_KEY",
+    "Dialogue",
+    "Exchange",
+    "Transfer",
+    "Value",
+    "ValueType",
+    "reply_values",
+    "values_of",
+]
 
 
 _BYTES_EACH = 130
@@ -268,6 +178,8 @@ _BYTES_EACH = 130
 
 _LEAST = 600
 """Further memory of a message, in bytes."""
+
+_NANOSECONDS = 1_000_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -278,12 +190,14 @@ class Exchange:
     request   for a reply: the command it answers, None if it was not seen
     values    for a reply: its values by name
     transfer  the file transfer of the message, or None
+    note      a sentence about a peculiarity besides its contents, such as an unsure pairing, or None
     """
 
     message: Message
     request: Message | None = None
     values: list[Value] = field(default_factory=list)
     transfer: Transfer | None = None
+    note: str | None = None
 
     @property
     def is_orphan(self) -> bool:
@@ -315,22 +229,25 @@ class Dialogue:
         """The commands still waiting for their reply, oldest first."""
         return self._pairing.unanswered
 
-    def feed(self, message: Message) -> list[Value]:
+    def feed(self, message: Message, time: float | None = None) -> list[Value]:
         """Returns the values of a reply by name. Feed or follow each message once, in order, both directions.
 
         Args:
             message: The next message.
+            time: Its time in seconds, if known. After a lost reply, times tell which of several commands with the same
+                counter is answered.
 
         Returns:
             The values of a reply; an empty list for commands and for replies to commands that were not seen.
         """
-        return self.follow(message).values
+        return self.follow(message, time).values
 
-    def follow(self, message: Message) -> Exchange:
+    def follow(self, message: Message, time: float | None = None) -> Exchange:
         """Returns everything known about a message: the command it answers, the values, the file transfer.
 
         Args:
             message: The next message.
+            time: Its time in seconds, if known.
 
         Returns:
             The exchange.
@@ -339,29 +256,18 @@ class Dialogue:
             raise TypeError(f"a dialogue takes messages, not {type(message).__name__}: use ev3proto.parse(frame)")
         if message.type is None:
             return Exchange(message)
-        key, size = _pairing(message)
+        key, size = pairing_key(message.build())
+        time_ns = None if time is None else round(time * _NANOSECONDS)
         if message.type.is_command:
             if message.wants_reply:
-                self._pairing.remember(key, size or 0, message)
+                self._pairing.remember(key, size, message, time_ns)
             transfer = self._transfers.requested(message) if isinstance(message, SystemCommand) else None
             return Exchange(message, transfer=transfer)
-        request = self._pairing.answered(key, size)
+        answer = self._pairing.answered(key, size, time_ns)
+        request, note = (None, None) if answer is None else (answer.command, answer.note)
         transfer = self._transfers.progress(message, request) if isinstance(message, SystemReply) else None
-        return Exchange(message, request, values_of(message, request), transfer)
+        return Exchange(message, request, values_of(message, request), transfer, note)
 
 
 def _size_of(message: Message) -> int:
     return _LEAST + _BYTES_EACH * message.length
-
-
-def _pairing(message: Message) -> tuple[tuple[str, int, int], int | None]:
-    """Returns a message's key for pairing, and the size of the reply."""
-    carries = "" if message.type is None else message.type.carries
-    if isinstance(message, SystemCommand | SystemReply):
-        return (carries, message.counter, message.number), None
-    size = None
-    if isinstance(message, DirectCommand):
-        size = message.global_size
-    elif isinstance(message, DirectReply) and not message.is_error:
-        size = len(message.memory)
-    return (carries, message.counter, 0), size

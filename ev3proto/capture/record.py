@@ -195,7 +195,7 @@ class Record:
     def exchange(self) -> Exchange:
         """The message with its facts from the dialogue."""
         request = None if self.request is None else self.request.message
-        return Exchange(self.message, request, self.values, self.transfer)
+        return Exchange(self.message, request, self.values, self.transfer, self.note)
 
     @property
     def time(self) -> float | None:

@@ -58,8 +58,6 @@ def _show_record(show: Show, record: Record, start_ns: int) -> None:
         return
     answers = None if record.request is None else record.request.number
     show.exchange(record.exchange, _seen(record, start_ns, answers))
-    if record.note is not None:
-        show.aside([(f"  note: {record.note}", Role.MEANING)])
 
 
 def show_announcement(show: Show, announcement: Announcement, start_ns: int) -> None:
@@ -132,8 +130,6 @@ def _record(record: Record) -> dict[str, Any]:
     entry = message_record(record.exchange, Seen(direction=record.direction, frame=record.frame)) | _place(record)
     if record.request is not None:
         entry |= {"answers": record.request.number, "latency": record.latency}
-    if record.note is not None:
-        entry["note"] = record.note
     return entry
 
 

@@ -10,7 +10,7 @@ from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import NOTATIONS, Seen, heading, spaced_hex
-from ev3proto.text.spans import Spans, plain_text
+from ev3proto.text.spans import Role, Spans, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 
@@ -59,6 +59,8 @@ class Show:
                 shown = f": {spaced_hex(rest[:_MOST_REST])}{' ...' * (len(rest) > _MOST_REST)}" if any(rest) else ""
                 count = counted(len(rest), "left-over byte") if shown else f"{counted(len(rest), 'byte')} of padding"
                 self._printer.text(f"        {count} {follow} the frame{shown}")
+        if exchange.note is not None:
+            self.aside([(f"  note: {exchange.note}", Role.MEANING)])
 
     def entry(self, entry: dict[str, Any]) -> None:
         """Shows a message as one JSON object."""

@@ -9,8 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import threading
-from collections import deque
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TypeGuard
@@ -29,10 +28,10 @@ from ev3proto.link.open_handles import OpenHandles
 from ev3proto.link.records import Records
 from ev3proto.link.refusals import refused
 from ev3proto.link.reply_stream import Garbage, ReplyStream
-from ev3proto.link.session import pairing_key
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.discovery import Beacon
 from ev3proto.schema.frame import parse
+from ev3proto.semantics.pairing import Pairing, pairing_key
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.system import close_filehandle
 from ev3proto.tables.carriers import Carrier
@@ -52,8 +51,7 @@ _MOST_WAITING = 1024
 _MOST_FILES = 16
 """Maximum number of files that a client may have open with --read-only; the brick has 64 handles in all."""
 
-_GRACE = 10.0
-"""Seconds for which replies to a disconnected client are withheld from the next one."""
+_NANOSECONDS = 1_000_000_000
 
 
 @dataclass(frozen=True)
@@ -103,7 +101,7 @@ class Proxy:
         self._show = show
         self._recording = recording
         self._client: _Client | None = None
-        self._abandoned: list[_Sent] = []
+        self._pairing: Pairing[_Sent] = Pairing(_MOST_WAITING, give_up=self._unanswered)
         self._error: BaseException | None = None
         self._is_over = asyncio.Event()
         self._loop = asyncio.new_event_loop()
@@ -198,10 +196,8 @@ class Proxy:
         left = client.decoder.pending
         if left and self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
-        for sent in client.waiting:
+        for sent in self._waiting(client):
             self._show(RequestReply(sent.command, None))
-            sent.expires = self._loop.time() + _GRACE
-        self._abandoned += client.waiting
         self._record(lambda recording: recording.closed(_CLIENT))
         self._close_handles(client)
 
@@ -223,13 +219,14 @@ class Proxy:
         command = self.records.sent(shown)
         if not message.wants_reply:
             self._show(RequestReply(command, None))
-        elif (forgotten := client.remember(_Sent(client, command, frame, pairing_key(frame)))) is not None:
-            self._show(RequestReply(forgotten.command, None))
+        sent = _Sent(client, command, frame)
         if status is None:
+            if message.wants_reply:
+                self._pairing.remember(*pairing_key(frame), sent, self._now_ns())
             client.handles.lend(message)
             self._wire.send(frame)
         elif (reply := refused(message, status)) is not None:
-            self._to_client(client, client.answered(reply), reply)
+            self._to_client(client, sent, reply)
 
     def _refusal(self, client: _Client, message: Message, frame: bytes) -> SystemStatus | None:
         """Reports why a message is not forwarded. Returns the status for a system command; None for others."""
@@ -243,7 +240,7 @@ class Proxy:
                 status = SystemStatus.UNKNOWN_HANDLE
             self.say_once(f"blocked by --read-only: {reasons}")
             return status
-        if self._options.is_read_only and _begins(message) and client.files >= _MOST_FILES:
+        if self._options.is_read_only and _begins(message) and self._files(client) >= _MOST_FILES:
             self.say_once(f"blocked by --read-only: {message.command} opens more than {_MOST_FILES} files")
             return SystemStatus.NO_HANDLES_AVAILABLE
         if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
@@ -270,23 +267,35 @@ class Proxy:
         client = self._client
         if isinstance(part, Garbage):
             self.say_once(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
-        elif (late := self._late(part)) is not None:
-            late.client.handles.learn(parse(part, strict=False))
-            self._close_handles(late.client)
+            return
+        answer = self._pairing.answered(*pairing_key(part), self._now_ns())
+        sent, note = (None, None) if answer is None else (answer.command, answer.note)
+        if sent is not None and sent.client is not client:
+            # The client that sent the command has disconnected.
+            sent.client.handles.learn(parse(part, strict=False))
+            self._close_handles(sent.client)
         elif client is not None:
             client.handles.learn(parse(part, strict=False))
-            self._to_client(client, client.answered(part), part)
+            self._to_client(client, sent, part, note)
 
-    def _late(self, frame: bytes) -> _Sent | None:
-        """Returns the command of a disconnected client that a reply answers; the brick answers in order."""
-        now = self._loop.time()
-        self._abandoned = [sent for sent in self._abandoned if sent.expires > now]
-        found = _first(self._abandoned, frame)
-        if found is not None:
-            self._abandoned.remove(found)
-        return found
+    def _waiting(self, client: _Client) -> list[_Sent]:
+        """Returns the commands of a client that wait for their reply."""
+        return [sent for sent in self._pairing.unanswered if sent.client is client]
 
-    def _to_client(self, client: _Client, sent: _Sent | None, frame: bytes) -> None:
+    def _files(self, client: _Client) -> int:
+        """Returns how many files of a client are open, or may be once the replies have come."""
+        asked = sum(isinstance(sent.command.message, SystemCommand) for sent in self._waiting(client))
+        return len(client.handles) + asked
+
+    def _unanswered(self, sent: _Sent) -> None:
+        """Shows a command that was given up; those of a disconnected client were shown."""
+        if sent.client is self._client:
+            self._show(RequestReply(sent.command, None))
+
+    def _now_ns(self) -> int:
+        return round(self._loop.time() * _NANOSECONDS)
+
+    def _to_client(self, client: _Client, sent: _Sent | None, frame: bytes, note: str | None = None) -> None:
         faults = self._options.faults
         command = None if sent is None else sent.command
         reply = faults.apply_to(frame)
@@ -297,7 +306,7 @@ class Proxy:
             return
         shown = self._masked(reply, None if sent is None else sent.frame)
         self._record(lambda recording: recording.data(_CLIENT, shown, False))
-        self._show(RequestReply(command, self.records.received(shown, command)))
+        self._show(RequestReply(command, self.records.received(shown, command, note)))
         if faults.delay:
             self._loop.call_later(faults.delay, client.line.send, reply)
         else:
@@ -320,20 +329,12 @@ class _Sent:
     client: _Client  # its sender
     command: Record  # as it is shown
     frame: bytes  # as it was sent
-    key: tuple[str, int, int]  # what it shares with its reply
-    expires: float = 0.0  # when its reply is no longer expected; only for those of a client that has disconnected
 
 
 def _begins(message: Message) -> TypeGuard[SystemCommand]:
     """Returns whether a message opens a file or a listing."""
     entry = SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
     return entry is not None and entry.transfer == "begin"
-
-
-def _first(waiting: Iterable[_Sent], reply: bytes) -> _Sent | None:
-    """Returns the first command that a reply may answer."""
-    key = pairing_key(reply)
-    return next((sent for sent in waiting if sent.key == key), None)
 
 
 class _Client:
@@ -343,26 +344,8 @@ class _Client:
         self.line = line  # its connection
         self.name = name  # its address and port
         self.decoder = decoder  # what it sent
-        self.waiting: deque[_Sent] = deque()  # its commands without a reply yet, oldest first
         self.handles = OpenHandles()  # its open files on the brick
         self._proxy = proxy
-
-    @property
-    def files(self) -> int:
-        """Files that are open, or may be once the replies have come."""
-        return len(self.handles) + sum(sent.key[0] == "system" for sent in self.waiting)
-
-    def remember(self, sent: _Sent) -> _Sent | None:
-        """Adds a command that waits for its reply. Returns the one that is forgotten for it, if any."""
-        self.waiting.append(sent)
-        return self.waiting.popleft() if len(self.waiting) > _MOST_WAITING else None
-
-    def answered(self, reply: bytes) -> _Sent | None:
-        """Returns the command that a reply answers, which no longer waits: the newest, as a counter may be reused."""
-        found = _first(reversed(self.waiting), reply)
-        if found is not None:
-            self.waiting.remove(found)
-        return found
 
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""

@@ -29,9 +29,11 @@ class Records:
         """Returns a frame that goes to the brick now."""
         return self._record(frame, self._sent, None)
 
-    def received(self, frame: bytes, request: Record | None) -> Record:
+    def received(self, frame: bytes, request: Record | None, note: str | None = None) -> Record:
         """Returns a frame that comes from the brick now; `request` is the command that it answers."""
-        return self._record(frame, self._received, request)
+        record = self._record(frame, self._received, request)
+        record.note = note
+        return record
 
     def _record(self, frame: bytes, route: Route, request: Record | None) -> Record:
         self._count += 1

@@ -1,7 +1,7 @@
 """A session with a brick, without I/O: counters in use, pairing of replies with commands, abandoned commands.
 
 The caller sends the frames that `command` returns and feeds what arrives. The session has no clock: the
-caller decides when to abandon a command.
+caller decides when to abandon a command. At most one command waits for each counter, so a reply's is certain.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ev3proto.bounded import Bounded
-from ev3proto.dialogue import Pairing
 from ev3proto.link.errors import LinkError
 from ev3proto.link.reply_stream import Garbage, ReplyStream
-from ev3proto.schema.header import HEADER_SIZE, Header, build_frame
+from ev3proto.schema.header import Header, build_frame
+from ev3proto.semantics.pairing import pairing_key
 from ev3proto.tables.frame import COUNTERS, MessageType
 
 FIRST_COUNTER = 42
@@ -68,7 +68,6 @@ class Session:
     def __init__(self, first_counter: int = FIRST_COUNTER) -> None:
         """Starts a session without commands."""
         self._next = first_counter % COUNTERS
-        self._pairing: Pairing[Request] = Pairing(COUNTERS + MOST_ABANDONED)
         self._waiting: dict[int, Request] = {}
         self._abandoned: Bounded[int, Request] = Bounded(MOST_ABANDONED)
         self._stream = ReplyStream(self._waiting.__contains__)
@@ -111,7 +110,6 @@ class Session:
     def _wait_for(self, request: Request) -> None:
         self._abandoned.pop(request.counter, None)
         self._waiting[request.counter] = request
-        self._pairing.remember(pairing_key(request.frame), 0, request)
 
     def abandon(self, request: Request) -> None:
         """Abandons a command that waits for a reply. Its counter is not used again for as long as possible."""
@@ -127,14 +125,11 @@ class Session:
         _, counter, code = Header.read(frame)
         if MessageType(code).is_command:
             return Stray(Oddity.UNASKED, frame)
-        request = self._pairing.answered(pairing_key(frame), None)
-        if request is not None and self._waiting.get(counter) is request:
-            del self._waiting[counter]
-            return Answered(request, frame)
-        if request is not None:
-            if self._abandoned.get(counter) is request:
-                del self._abandoned[counter]
-            return Stray(Oddity.LATE, frame)
+        for commands, oddity in ((self._waiting, None), (self._abandoned, Oddity.LATE)):
+            request = commands.get(counter)
+            if request is not None and pairing_key(request.frame)[0] == pairing_key(frame)[0]:
+                del commands[counter]
+                return Answered(request, frame) if oddity is None else Stray(oddity, frame)
         return Stray(Oddity.FOREIGN, frame)
 
     def _free_counter(self) -> int:
@@ -147,11 +142,3 @@ class Session:
             del self._abandoned[counter]
             return counter
         raise LinkError(f"{COUNTERS} commands wait for their reply: no counter is left for another one")
-
-
-def pairing_key(frame: bytes) -> tuple[str, int, int]:
-    """Returns the key that a command and its reply share: kind of message, counter, and system command."""
-    _, counter, code = Header.read(frame)
-    carries = MessageType(code).carries
-    number = frame[HEADER_SIZE] if carries == "system" and len(frame) > HEADER_SIZE else 0
-    return carries, counter, number

@@ -274,6 +274,8 @@ def dialogue_line(command: Message | None, reply: Exchange | None, latency: floa
         line += [(" -> ", Role.PLAIN), *reply_spans(reply)]
         if latency is not None:
             line.append((f"  {latency * 1000:.3f} ms", Role.ASIDE))
+        if reply.note is not None:
+            line.append((f"  ({reply.note.partition(':')[0]})", Role.ASIDE))
     elif command is not None and command.wants_reply:
         line.append((" -> no reply", Role.FAULT))
     return line

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from pathlib import Path
+
 from support.messages import voltage, volts
 from support.packets import RAW_IP, Capture, Connection
 from support.reading import opened
 
-from ev3proto.capture import Event
+from ev3proto.capture import Event, Record, read
 from ev3proto.capture.dialogues import dialogues
+
+SENDERS = Path(__file__).parents[2] / "captures" / "senders.pcapng"
 
 TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 MILLISECOND = 1_000_000
@@ -47,3 +52,26 @@ def test_a_reply_by_itself() -> None:
     """One is chance, two in a row are not."""
     assert numbers(captured((False, volts(7)))) == []
     assert numbers(captured((False, volts(7)), (False, volts(8)))) == [(None, 2)]
+
+
+def test_programs_that_do_not_wait_or_never_change_their_counter() -> None:
+    """Each of them is a connection of its own; the motor's angle is the number of the command that asked for it."""
+    found: dict[str, list[tuple[int | None, bool]]] = {}
+    capture = read(SENDERS)
+    for record in (event for event in capture.events() if isinstance(event, Record)):
+        if record.request is not None:
+            latency = None if record.latency is None else round(record.latency * 1000)
+            found.setdefault(record.target, []).append((latency, record.note is not None))
+    assert [Counter(answers) for answers in found.values()] == [
+        # One that waits.
+        {(10, False): 20},
+        # Two that poll faster than the brick answers.
+        {(150, True): 19, (150, False): 1},
+        {(300, True): 19, (300, False): 1},
+        # Two at once.
+        {(10, True): 10, (12, False): 10},
+        # Two lost replies of one that waits.
+        {(10, False): 16, (10, True): 2},
+        # One lost reply of two at once: the other reply is paired with the wrong command, and has a note.
+        {(10, True): 9, (12, False): 9, (12, True): 1},
+    ]

@@ -10,6 +10,7 @@ import math
 import random
 import re
 import struct
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
@@ -72,6 +73,9 @@ class Pieces:
 
 Row = list[str]
 
+Way = tuple[str, bool]
+"""A TCP stream, and whether it is the host's side of it."""
+
 
 def rows(tshark: Tshark, capture: Path, display_filter: str, *fields: str, words: Iterable[str] = ()) -> Iterator[Row]:
     """Fields of the packets that match a filter, read without the dissector."""
@@ -84,20 +88,20 @@ def rows(tshark: Tshark, capture: Path, display_filter: str, *fields: str, words
 
 def over_tcp(tshark: Tshark, capture: Path) -> Iterator[Frame]:
     """Segments in the order of their numbers; repeated ones are skipped, early ones wait."""
-    streams: dict[bool, Pieces] = {True: Pieces(), False: Pieces()}
-    behind: dict[bool, int] = {}
-    early: dict[tuple[bool, int], bytes] = {}
-    fields = ("tcp.dstport", "tcp.seq", "tcp.payload")
+    streams: defaultdict[Way, Pieces] = defaultdict(Pieces)
+    behind: dict[Way, int] = {}
+    early: dict[tuple[Way, int], bytes] = {}
+    fields = ("tcp.stream", "tcp.dstport", "tcp.seq", "tcp.payload")
     words = ("-d", f"tcp.port=={TCP_PORT},data")
-    for number, time, port, sequence, payload in rows(tshark, capture, "tcp.len > 0", *fields, words=words):
-        from_host = int(port) == TCP_PORT
-        early.setdefault((from_host, int(sequence)), bytes.fromhex(payload))
-        at = behind.setdefault(from_host, int(sequence))
-        while (piece := early.pop((from_host, at), None)) is not None:
+    for number, time, stream, port, sequence, payload in rows(tshark, capture, "tcp.len > 0", *fields, words=words):
+        way = stream, int(port) == TCP_PORT
+        early.setdefault((way, int(sequence)), bytes.fromhex(payload))
+        at = behind.setdefault(way, int(sequence))
+        while (piece := early.pop((way, at), None)) is not None:
             at += len(piece)
-            behind[from_host] = at
-            for data in streams[from_host].feed(piece):
-                yield Frame(int(number), 1000 * float(time), from_host, data)
+            behind[way] = at
+            for data in streams[way].feed(piece):
+                yield Frame(int(number), 1000 * float(time), way[1], data, talk=stream)
     assert set(early) <= {(way, number) for way, number in early if number < behind[way]}
 
 
@@ -148,6 +152,7 @@ CARRIERS = {
     "conformance.pcapng": Carrier(over_tcp, 600),
     "daisy.pcap": Carrier(over_usb("usb.data_len == 64"), 8),
     "ev3_dc.pcap": Carrier(over_tcp, 188),
+    "senders.pcapng": Carrier(over_tcp, 237),
     "usb-bootloader.pcapng": Carrier(over_usb("usb.data_len == 1024"), 16),
     "usb-plugged.pcap": Carrier(over_usb('usb.data_len == 1024 && usb.addr == "1.7.1"'), 9),
     "usb-windows.pcap": Carrier(over_usb("usb.data_len == 1024"), 15),

@@ -468,7 +468,7 @@ class Follower:
             exchange = Exchange(message)
         else:
             dialogue = self._dialogues.setdefault(frame.talk, ev3proto.Dialogue())
-            exchange = dialogue.follow(message)
+            exchange = dialogue.follow(message, frame.milliseconds / 1000)
             record = self._linked(record, exchange, frame)
         body = _body(exchange, frame.data)
         if message.rest:
@@ -491,6 +491,8 @@ class Follower:
             complaints.append("failed")
         if exchange.is_orphan:
             complaints.append("orphan")
+        if exchange.note is not None:
+            complaints.append("unsure")
         links: dict[str, Any] = {}
         if exchange.request is not None:
             index, asked, _ = self._asked.pop(id(exchange.request))

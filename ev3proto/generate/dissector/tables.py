@@ -12,6 +12,7 @@ from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, li
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
+from ev3proto.semantics import pairing
 from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
@@ -61,6 +62,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
         _system(),
     )
     yield "Daisy chain", "Messages between bricks that are connected by USB.", _daisy()
+    yield "Pairing", "When a reply answers a command; times are in nanoseconds.", _pairing()
     yield "Claims", "When traffic is claimed as this protocol.", _claims()
     yield "USB and Bluetooth", "How a brick is recognised.", _carriers()
     yield "WiFi", "The texts before the first frame.", _unlock()
@@ -312,6 +314,17 @@ def _carriers() -> Iterator[str]:
     }
     yield "-- USB products are vendor and product in one number: the brick, and its bootloader.\n"
     yield _assign("CARRIERS", Table(named=places))
+
+
+def _pairing() -> Iterator[str]:
+    rule = {
+        "patience": pairing.PATIENCE,
+        "least": pairing.LEAST_PATIENCE_NS,
+        "first": pairing.FIRST_PATIENCE_NS,
+        "unsure": pairing.UNSURE,
+    }
+    yield _assign("MOST_PER_COUNTER", pairing.MOST_PER_KEY)
+    yield _assign("PAIRING", Table(named=rule))
 
 
 def _claims() -> Iterator[str]:

@@ -52,6 +52,7 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
         entry["unknown"] = sorted(seen.unknown)
     if message.rest:
         entry["rest"] = message.rest.hex()
+    entry["note"] = exchange.note
     entry["hex"] = frame.hex()
     return {key: value for key, value in entry.items() if value is not None or key in ("command",)}
 

@@ -9,16 +9,14 @@ local messages = {}
 
 local dialogues = {}
 do
-    -- Commands with the same counter that are remembered, for senders that never change it.
-    local MOST_PER_COUNTER = 4
-
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
+    local NUMBERS = 0x040000
 
     -- By place. `replies`: for a command, the number of the packet with its reply. `requests`, `delays` and `bodies`:
-    -- for a reply, the place of its command, the response time in seconds, and, of a direct command, the bytes after
-    -- the type. A table for each takes less memory than a table for each reply. `transfers`: for a message, the state
-    -- of its file.
-    local replies, requests, delays, bodies, transfers
+    -- for a reply, the place of its command, the response time in nanoseconds, and, of a direct command, the bytes
+    -- after the type. A table for each takes less memory than a table for each reply. `unsure`: the replies for which
+    -- several commands waited. `transfers`: for a message, the state of its file.
+    local replies, requests, delays, bodies, unsure, transfers
 
     -- One string for all equal bodies.
     local shared_bodies
@@ -26,16 +24,16 @@ do
     local conversations
 
     function dialogues.forget()
-        replies, requests, delays, bodies, transfers = {}, {}, {}, {}, {}
+        replies, requests, delays, bodies, unsure, transfers = {}, {}, {}, {}, {}, {}
         shared_bodies, conversations = {}, {}
     end
     dialogues.forget()
 
-    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in seconds, and, of a direct
-    -- command, its `body`, the bytes after the type.
+    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in nanoseconds, of a direct
+    -- command its `body`, the bytes after the type, and whether it `is_unsure`.
     function dialogues.request_of(place)
         local command = requests[place]
-        return command and { place = command, delay = delays[place], body = bodies[place] }
+        return command and { place = command, delay = delays[place], body = bodies[place], is_unsure = unsure[place] }
     end
 
     -- Returns the number of the packet with the reply to a command.
@@ -49,7 +47,8 @@ do
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
-    -- counter, oldest first. Transfers are `begun` by counter, and `open` by handle.
+    -- `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took for which one command
+    -- waited. Transfers are `begun` by counter, and `open` by handle.
     function dialogues.conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -61,7 +60,13 @@ do
 
     -- Returns what a reply has in common with its command.
     local function pending_key(message)
-        return CARRIES[message.type.carries] + message.counter
+        local carries = message.type.carries
+        local number = carries == "system" and byte(message.text, HEADER_SIZE + 1) or 0
+        return CARRIES[carries] + message.counter + NUMBERS * number
+    end
+
+    local function nanoseconds(pinfo)
+        return floor(pinfo.rel_ts * 1e9 + 0.5)
     end
 
     local function remember(conversation, place, message, pinfo)
@@ -74,11 +79,7 @@ do
         if message.command then body = sub(body, 1, 2) end
         body = shared_bodies[body] or body
         shared_bodies[body] = body
-        commands[#commands + 1] = { place = place, time = pinfo.rel_ts, body = body }
-    end
-
-    local function can_answer(message, command)
-        return message.type.carries ~= "system" or byte(command.body, 1) == byte(message.text, HEADER_SIZE + 1)
+        commands[#commands + 1] = { place = place, time = nanoseconds(pinfo), body = body }
     end
 
     -- Tells whether a reply has the size that its command requested.
@@ -104,23 +105,30 @@ do
         return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
-    -- Returns the command that a reply answers: the newest with its counter and the right size, else the newest with
-    -- its counter, because a sender reuses a counter only after it gave up on the earlier command.
-    local function answered(conversation, message)
-        local key, best = pending_key(message), nil
-        local commands = conversation.waiting[key] or {}
-        for index = #commands, 1, -1 do
-            if can_answer(message, commands[index]) then
-                best = best or index
-                if fits(message, commands[index]) then
-                    best = index
-                    break
-                end
-            end
+    -- Returns the command that a reply answers, and whether others may be it. A brick answers in order: it is the
+    -- oldest that the reply fits and that has not waited much longer than this brick takes; the oldest of all if it is
+    -- slow now; the newest if the reply fits none. Earlier commands are given up.
+    local function answered(conversation, message, now)
+        local key, fitting = pending_key(message), {}
+        local commands, longest = conversation.waiting[key] or {}, conversation.longest
+        for index, command in ipairs(commands) do
+            if fits(message, command) then fitting[#fitting + 1] = index end
         end
-        local command = best and table.remove(commands, best)
+        local found, is_unsure = fitting[1] or #commands, #fitting > 1 or not fitting[1] and #commands > 1
+        if is_unsure then
+            local limit = longest and math.max(PAIRING.patience * longest, PAIRING.least) or PAIRING.first
+            for index = #fitting, 1, -1 do
+                if now - commands[fitting[index]].time <= limit then found = fitting[index] end
+            end
+        elseif commands[1] then
+            conversation.longest = math.max(longest or 0, now - commands[found].time)
+        end
+        local command = commands[found]
+        for _ = 1, found do
+            table.remove(commands, 1)
+        end
         if #commands == 0 then conversation.waiting[key] = nil end
-        return command
+        return command, is_unsure
     end
 
     -- Adds a piece to a file and returns the file. The brick closes a complete file; more data for its handle belong to
@@ -186,13 +194,14 @@ do
             if type.wants_reply then remember(conversation, place, message, pinfo) end
             transfer = is_on_file and follow_request(conversation, message)
         else
-            local request = answered(conversation, message)
+            local request, is_unsure = answered(conversation, message, nanoseconds(pinfo))
             if request then
                 if conversation.state == "claimed" and is_proof(message, request.body) then
                     conversation.state = "answered"
                 end
                 replies[request.place] = storage.number_of(place)
-                requests[place], delays[place], bodies[place] = request.place, pinfo.rel_ts - request.time, request.body
+                requests[place], bodies[place] = request.place, request.body
+                delays[place], unsure[place] = nanoseconds(pinfo) - request.time, is_unsure or nil
             end
             transfer = is_on_file and follow_reply(conversation, message, request)
         end

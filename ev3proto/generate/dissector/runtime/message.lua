@@ -313,11 +313,11 @@ do
             if not request then
                 complain(target, "orphan", "the command that this reply answers was not seen")
             elseif item then
-                local delay, seconds = request.delay, floor(request.delay)
+                local seconds = floor(request.delay / 1e9)
                 set_generated(add(item, field.request_in, storage.number_of(request.place)))
-                local time = NSTime.new(seconds, floor((delay - seconds) * 1e9 + 0.5))
-                set_generated(add(item, field.response_time, time))
+                set_generated(add(item, field.response_time, NSTime.new(seconds, request.delay - seconds * 1e9)))
             end
+            if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then

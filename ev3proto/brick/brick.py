@@ -26,6 +26,7 @@ from ev3proto.brick.clock import (
     TICK,
     thread_time,
 )
+from ev3proto.brick.devices.motors import Reading
 from ev3proto.brick.dispatch import dispatch_table
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.images import Image
@@ -138,7 +139,8 @@ class Brick(Equipment):
             port: 1 to 4 for sensors, "A" to "D" for motors.
             type: Type of the device; TYPE_NONE unplugs it.
             readings: Raw readings of a sensor by mode, one for each dataset.
-            tacho: Degrees that OUTPUT_READ returns. With `tacho`, `count` or `speed`, only commands move the motor.
+            tacho: Degrees that OUTPUT_READ returns. `tacho`, `count` and `speed` are shown until a command moves the
+                motor; it counts on from `count`, and a move begins at 0.
             count: Degrees that OUTPUT_GET_COUNT returns.
             speed: Percent.
 
@@ -147,8 +149,8 @@ class Brick(Equipment):
         """
         self.inputs.plug(port, type, readings)
         if isinstance(port, str):
-            is_held = any(value is not None for value in (tacho, count, speed))
-            self.outputs.plug(port, type, tacho or 0, count or 0, speed or 0, is_held=is_held)
+            is_fixed = any(value is not None for value in (tacho, speed, count))
+            self.outputs.plug(port, type, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None)
 
     def press(self, button: str) -> None:
         """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""
@@ -201,7 +203,8 @@ class Brick(Equipment):
         """Advances the clock.
 
         Args:
-            seconds: 0 to 1000000000000, counted in whole microseconds.
+            seconds: 0 to 1000000000000, counted in whole microseconds. An hour of two motors in step takes some 20 s;
+                time is skipped while motors are still or run evenly.
 
         Returns:
             The replies that became due.

@@ -95,19 +95,23 @@ def sensors(client: Any, brick: Served) -> Iterator[Any]:
 
 
 def motor(client: Any) -> Iterator[Any]:
-    """A quarter of a turn and back."""
+    """A quarter of a turn and back, slowly and with a brake: a faster motor runs on."""
     motor = ev3_dc.Motor(ev3_dc.PORT_C, ev3_obj=client)
     yield motor.position, motor.busy
-    motor.move_by(90, speed=100).start(thread=False)
+    motor.move_by(90, speed=30, brake=True).start(thread=False)
     yield motor.position, motor.busy
-    motor.move_to(0, speed=100, brake=True).start(thread=False)
+    motor.move_to(0, speed=30, brake=True).start(thread=False)
     yield motor.position, motor.busy
 
 
 def square(client: Any) -> Any:
     """Drives a square and returns the final position of the vehicle."""
-    vehicle = ev3_dc.TwoWheelVehicle(0.0282, 0.1175, ev3_obj=client, speed=100)
-    sides = [part for _ in range(4) for part in (vehicle.drive_straight(0.02), vehicle.drive_turn(90, 0.0))]
+    vehicle = ev3_dc.TwoWheelVehicle(0.0282, 0.1175, ev3_obj=client, speed=30)
+    sides = [
+        part
+        for _ in range(4)
+        for part in (vehicle.drive_straight(0.02, brake=True), vehicle.drive_turn(90, 0.0, brake=True))
+    ]
     concat(*sides).start(thread=False)
     return vehicle.position
 

@@ -118,7 +118,7 @@ class Device:
 
     def _reading(self, dataset: int) -> float:
         if self.motor is not None:
-            return self.motor.speed_now if self.mode == SPEED_MODE else self.motor.sensor_count
+            return self.motor.reading.speed if self.mode == SPEED_MODE else self.motor.reading.sensor
         if self.mode == _COUNTING_MODE and self.plugged.number in _COUNTERS:
             return float(getattr(self, _COUNTERS[self.plugged.number]))
         values = self.readings.get(self.mode, (0.0,) * self.mode_data.datasets)
@@ -227,6 +227,8 @@ class Inputs(Part):
         if (found, mode) == (device.type, device.mode):
             return
         device.type, device.mode = found, mode
+        if device.motor is not None:
+            device.motor.set_type(found.number)
         self._count_change(found)
         if device.plugged.number == _INFRARED:
             pause = _INFRARED_CHANGE_TIME

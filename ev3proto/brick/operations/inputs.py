@@ -206,16 +206,16 @@ def clear_all(vm: Machine, layer: int) -> None:
     """Clears the counts of sensors and motors."""
     if layer <= 0:
         vm.brick.inputs.clear()
-        for motor in vm.brick.outputs.motors:
-            motor.clear_count()
+        for motor in vm.brick.outputs.freed(0, (1 << PORTS) - 1):
             motor.reset()
+            motor.clear_count()
 
 
 @handles("INPUT_DEVICE.STOP_ALL")
 def stop_all(vm: Machine, layer: int) -> None:
     """Stops the motors."""
     if layer <= 0:
-        vm.brick.outputs.stop_all()
+        vm.brick.outputs.end_program()
 
 
 @handles("INPUT_DEVICE.SET_RAW")

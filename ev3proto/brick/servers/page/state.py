@@ -108,7 +108,7 @@ def _motors(brick: Brick) -> list[dict[str, Any]]:
             "port": port,
             "type": motor.type,
             "angle": round(motor.angle, 1),
-            "speed": motor.speed_now,
+            "speed": motor.reading.speed,
             "busy": motor.is_busy,
         }
         for port, motor in zip(MOTOR_PORTS, brick.outputs.motors, strict=True)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from dataclasses import fields as dataclass_fields
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol, Self
 
 from ev3proto.errors import BuildError, Fault
 from ev3proto.tables.declaration import Declaration, Parameter
@@ -266,6 +266,11 @@ class Operation(tuple[Any, ...]):
             found: tuple[Argument, ...] = self[-1]
             return found
         return self.schema.arguments(self._data, self.offset, self._end)
+
+    def read_by(self, schema: OperationReader) -> Self:
+        """Returns the operation with its arguments read by another schema."""
+        arguments = schema.arguments(self._data, self.offset, self._end)
+        return type(self)((schema, self._data, self.offset, self._end, arguments))
 
     def __getnewargs__(self) -> tuple[tuple[Any, ...]]:
         """Copies and pickles keep the parts of the operation and read their arguments again."""

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from ev3proto.errors import DecodeError, Fault, as_bytes, counted
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_reader
-from ev3proto.schema.header import frame_size, out_of_step
-from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep
 
 
 class StreamError(DecodeError):
@@ -35,19 +34,18 @@ class Decoder:
         """
         self._schema = frame_reader(dialect)
         self._strict = strict
-        self._buffer = bytearray()
-        self._position = 0
+        self._buffer = FrameBuffer()
         self._lost: StreamError | None = None
 
     @property
     def position(self) -> int:
         """The offset in the stream of the first byte that is not yet part of a message."""
-        return self._position
+        return self._buffer.position
 
     @property
     def pending(self) -> bytes:
         """The bytes of the unfinished frame."""
-        return bytes(self._buffer)
+        return self._buffer.pending
 
     def feed(self, chunk: bytes) -> Iterator[Message]:
         """Takes the next bytes of the stream.
@@ -64,28 +62,17 @@ class Decoder:
         if type(chunk) is not bytes:
             chunk = as_bytes(chunk, "a chunk of a stream")
         if self._lost is None:
-            self._buffer += chunk
+            self._buffer.append(chunk)
         return self._messages()
 
     def _messages(self) -> Iterator[Message]:
         if self._lost is not None:
             raise self._lost
-        buffer = self._buffer
-        while len(buffer) >= LENGTH_FIELD:
-            size = frame_size(buffer)
-            if size == LENGTH_FIELD:  # a poll, which the firmware skips
-                del buffer[:size]
-                self._position += size
-                continue
-            if (reason := out_of_step(buffer)) is not None:
-                self._lost = StreamError(self._position, reason)
+        while (frame := self._buffer.next()) is not None:
+            if isinstance(frame, OutOfStep):
+                self._lost = StreamError(self.position, frame.reason)
                 raise self._lost
-            if len(buffer) < size:
-                return
-            frame = bytes(buffer[:size])
-            del buffer[:size]
-            start, self._position = self._position, self._position + size
-            yield self._message(frame, start)
+            yield self._message(frame, self.position - len(frame))
 
     def _message(self, frame: bytes, start: int) -> Message:
         try:
@@ -107,7 +94,7 @@ class Decoder:
             return None
         left = len(self._buffer)
         error = StreamError(
-            self._position,
+            self.position,
             f"the stream ends inside a frame, after {counted(left, 'byte')} of it",
             truncated=True,
         )

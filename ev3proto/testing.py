@@ -62,7 +62,16 @@ from ev3proto.tables.encoding import (
     limits_of,
 )
 from ev3proto.tables.enumerations import FORMAT_TYPES
-from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MAX_GLOBALS, MAX_LENGTH, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import (
+    COUNTERS,
+    LENGTH_FIELD,
+    MAX_FRAME,
+    MAX_GLOBALS,
+    MAX_LENGTH,
+    MAX_LOCALS,
+    TYPES_BY_KIND,
+    MessageType,
+)
 from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
 
@@ -394,12 +403,12 @@ ALL = Choice()
 SYSTEM_AREA = "system"
 """The name that `choice` uses for all system commands, which have no area in the firmware."""
 
-_DIRECT_COMMANDS = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
-_DIRECT_REPLIES = (MessageType.DIRECT_REPLY, MessageType.DIRECT_REPLY_ERROR)
-_SYSTEM_COMMANDS = (MessageType.SYSTEM_COMMAND_REPLY, MessageType.SYSTEM_COMMAND_NO_REPLY)
-_SYSTEM_REPLIES = (MessageType.SYSTEM_REPLY, MessageType.SYSTEM_REPLY_ERROR)
-_DAISY_COMMANDS = (MessageType.DAISY_COMMAND_REPLY, MessageType.DAISY_COMMAND_NO_REPLY)
-_DAISY_REPLIES = (MessageType.DAISY_REPLY, MessageType.DAISY_REPLY_ERROR)
+_DIRECT_COMMANDS = TYPES_BY_KIND["direct-command"]
+_DIRECT_REPLIES = TYPES_BY_KIND["direct-reply"]
+_SYSTEM_COMMANDS = TYPES_BY_KIND["system-command"]
+_SYSTEM_REPLIES = TYPES_BY_KIND["system-reply"]
+_DAISY_COMMANDS = TYPES_BY_KIND["daisy-command"]
+_DAISY_REPLIES = TYPES_BY_KIND["daisy-reply"]
 
 
 def choice(
@@ -494,7 +503,7 @@ def _types(name: str) -> list[MessageType]:
     """Returns the types of messages with a name. Raises ValueError."""
     found = [member for member in MessageType if name.upper() == member.name or name.lower() == member.kind]
     if not found:
-        kinds = dict.fromkeys(member.kind for member in MessageType)
+        kinds = TYPES_BY_KIND
         hint = near_misses(name, [member.name for member in MessageType]) or f": the kinds are {', '.join(kinds)}"
         raise ValueError(f"unknown type of message {name}{hint}")
     return found

@@ -54,13 +54,13 @@ from ev3proto.schema.header import (
     read_memory,
 )
 from ev3proto.tables import check_dialect, operations
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SystemStatus
 
 _OBJECT_END = operations()["OBJECT_END"].opcode.number
 
-_DIRECT = {int(member): member.wants_reply for member in MessageType if member.kind == "direct-command"}
-_SYSTEM = {int(member): member.wants_reply for member in MessageType if member.kind == "system-command"}
+_DIRECT = {int(member): member.wants_reply for member in TYPES_BY_KIND["direct-command"]}
+_SYSTEM = {int(member): member.wants_reply for member in TYPES_BY_KIND["system-command"]}
 
 AFTER_CODE = bytes((_OBJECT_END,)) + bytes(8)
 """The bytes that the firmware adds after the operations of a direct command, and some of the zeros that follow."""

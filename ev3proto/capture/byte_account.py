@@ -43,7 +43,7 @@ class Account:
     @property
     def parts(self) -> dict[str, int]:
         """The bytes of each kind by its name."""
-        return {each.name: getattr(self, each.name) for each in fields(self)[7:]}
+        return {name: getattr(self, name) for name in _PARTS}
 
     def count_strange(self, place: str) -> None:
         """Counts a packet that was not recognised, by its place."""
@@ -63,3 +63,7 @@ class Account:
     def balance(self) -> int:
         """Captured bytes of no kind: 0 once everything was read."""
         return self.captured - sum(self.parts.values())
+
+
+_PARTS = ("frames", "texts", "padding", "headers", "repeated", "other", "skipped")
+"""The fields that count the bytes of one kind each; together they are all bytes of a capture."""

@@ -20,9 +20,8 @@ from ev3proto.tables.claims import NEVER_SENT, NOT_TELLING, NXT_MASK, NXT_WRITE,
 from ev3proto.tables.daisy import MOST_LAYERS
 from ev3proto.tables.declaration import DIALECTS, Type
 from ev3proto.tables.encoding import GLOBAL, TEXT
-from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES
 
-_TYPES = {int(member): member for member in MessageType}
 _NUMBERS = {opcode.name: opcode.number for opcode in OPCODES}
 _NOT_TELLING = frozenset(_NUMBERS[name] for name in NOT_TELLING)
 _NOT_SENT = frozenset(_NUMBERS[name] for name in (NEVER_SENT, *ONLY_IN_PROGRAMS))
@@ -101,7 +100,7 @@ def proves(reply: bytes, command: bytes) -> bool:
     if len(reply) < HEADER_SIZE or len(command) <= HEADER_SIZE:
         return False
     (size, counter, code), (_, wanted, asked) = unpack_header(reply), unpack_header(command)
-    answer, request = _TYPES.get(code), _TYPES.get(asked)
+    answer, request = MESSAGE_TYPES.get(code), MESSAGE_TYPES.get(asked)
     if answer is None or request is None or answer.is_command or not request.wants_reply:
         return False
     if answer.carries != request.carries or counter != wanted:

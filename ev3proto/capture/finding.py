@@ -15,7 +15,7 @@ from ev3proto.capture.evidence import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables import system
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
 Accepts = Callable[[MessageType], bool]
 """Tells which message types go in the direction of a stream."""
@@ -29,14 +29,13 @@ MOST_FOLLOWING = 2
 _LEAST = COMMAND_HEADER_SIZE + 2
 """Minimum size of a command that is cut or inside a packet; one byte of operations, such as NOP, proves nothing."""
 
-_TYPES = {int(member): member for member in MessageType}
 # Offsets at which a header may be: most others are skipped at ten times the speed.
 _STARTS = re.compile(
     b"(?=(?:[%b-\\xff]\\0|.[\\1-%b])..[%b]|.[%b-\\xff]..[%b][%b])"
     % (
         re.escape(bytes((MIN_LENGTH,))),
         re.escape(bytes((MAX_LENGTH >> 8,))),
-        re.escape(bytes(sorted(_TYPES))),
+        re.escape(bytes(sorted(MESSAGE_TYPES))),
         re.escape(bytes((MAX_LENGTH >> 8,))),
         re.escape(bytes(SYSTEM_COMMAND_TYPES.values())),
         re.escape(bytes(sorted(system.LONG_COMMANDS))),
@@ -50,7 +49,7 @@ _WITH_DATA = {
 }
 """The system commands with data, which may be any bytes."""
 
-_SYSTEM = {bytes((member,)) for member in MessageType if member.carries == "system"}
+_SYSTEM = {bytes((number,)) for number, member in MESSAGE_TYPES.items() if member.carries == "system"}
 
 
 _POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
@@ -88,17 +87,17 @@ class Finder:
         left = len(buffer) - at
         if left < LENGTH_FIELD:
             return True
-        return may_have_length(buffer, at) and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in _TYPES)
+        return may_have_length(buffer, at) and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in MESSAGE_TYPES)
 
     def is_frame(self, buffer: bytes, at: int, end: int) -> bool:
         """Returns whether a valid frame is here that a program would send."""
-        if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in _TYPES:
+        if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in MESSAGE_TYPES:
             return False
         return is_sensible(self._schema.read_frame(buffer[at:end], strict=False))
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
         """Returns whether a valid frame needs no other one after it: operations are rarely valid by chance."""
-        member = _TYPES.get(buffer[at + HEADER_SIZE - 1])
+        member = MESSAGE_TYPES.get(buffer[at + HEADER_SIZE - 1])
         return member is not None and member.is_command and member.carries == "direct"
 
     def may_become(self, buffer: bytes, at: int) -> bool:
@@ -108,7 +107,7 @@ class Finder:
         size = len(buffer)
         if size - at <= HEADER_SIZE:
             return True
-        member = _TYPES[buffer[at + HEADER_SIZE - 1]]
+        member = MESSAGE_TYPES[buffer[at + HEADER_SIZE - 1]]
         if member.carries == "system":
             return buffer[at + HEADER_SIZE] in system.SYSTEM_BY_NUMBER
         if member.carries == "direct" and member.is_command and size - at > COMMAND_HEADER_SIZE:
@@ -166,7 +165,7 @@ class Finder:
     ) -> Found:
         """Returns what is at one offset."""
         size, is_begin, code = len(buffer), at in begins, buffer[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
-        if not self.may_start(buffer, at) or (code and not accepts(_TYPES[code[0]])):
+        if not self.may_start(buffer, at) or (code and not accepts(MESSAGE_TYPES[code[0]])):
             return Found.NOTHING
         end = at + frame_size(buffer, at) if code else size + 1
         is_cut = missing > 0 and end == size + missing and size - at >= _LEAST
@@ -187,7 +186,9 @@ class Finder:
         """Returns whether whole frames fill the bytes from an offset on."""
         frames = self.frames_of(buffer, at, missing)
         size = sum(map(frame_size, frames))
-        return size == len(buffer) + missing - at and all(accepts(_TYPES[each[HEADER_SIZE - 1]]) for each in frames)
+        return size == len(buffer) + missing - at and all(
+            accepts(MESSAGE_TYPES[each[HEADER_SIZE - 1]]) for each in frames
+        )
 
     def frames_of(self, buffer: bytes, at: int = 0, missing: int = 0) -> list[bytes]:
         """Returns the whole frames that follow each other from an offset on; the last one may be cut by the capture."""
@@ -220,7 +221,7 @@ class Finder:
         opened = single = begun = None
         for hit in _STARTS.finditer(buffer, at):
             place = hit.start()
-            if not may_have_length(buffer, place) or not accepts(_TYPES[buffer[place + HEADER_SIZE - 1]]):
+            if not may_have_length(buffer, place) or not accepts(MESSAGE_TYPES[buffer[place + HEADER_SIZE - 1]]):
                 continue
             end = place + frame_size(buffer, place)
             trials -= 1

@@ -125,7 +125,8 @@ def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
 
 def swapped(report: Report) -> bytes | None:
     """Returns the frame with the bytes of its memory word swapped, if a check found them in the wrong order."""
-    if not any(finding.offset == HEADER_SIZE and finding.code in ("E401", "E402") for finding in report.findings):
+    beyond = (codes.BEYOND_LOCALS.code, codes.BEYOND_GLOBALS.code)
+    if not any(finding.offset == HEADER_SIZE and finding.code in beyond for finding in report.findings):
         return None
     frame = report.frame
     return frame[:HEADER_SIZE] + frame[HEADER_SIZE:COMMAND_HEADER_SIZE][::-1] + frame[COMMAND_HEADER_SIZE:]

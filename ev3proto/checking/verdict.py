@@ -38,7 +38,7 @@ from ev3proto.semantics.facts import Requirement, requirement
 from ev3proto.tables import operations, with_effect
 from ev3proto.tables.declaration import Declaration, Effect, Type
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, Encoding
-from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, TYPES_BY_KIND
 from ev3proto.tables.validation import CMD_TABLES, SPINNING, TABLE_SIZE
 
 
@@ -228,7 +228,7 @@ def validator(dialect: str, is_latest: bool = False) -> Validator:
     return Validator(dialect, is_latest)
 
 
-_DIRECT = {member.value for member in MessageType if member.kind == "direct-command"}
+_DIRECT = frozenset(map(int, TYPES_BY_KIND["direct-command"]))
 
 
 def verdict(frame: bytes, dialect: str = "official") -> Verdict:

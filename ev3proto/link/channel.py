@@ -13,8 +13,8 @@ from ev3proto.errors import counted
 from ev3proto.link.carriers.wire import Wire
 from ev3proto.link.commands import Prepared, Result
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
-from ev3proto.link.reply_stream import Garbage
 from ev3proto.link.session import Answered, Event, Oddity, Request, Session, Stray
+from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MessageType
@@ -227,7 +227,7 @@ class Channel:
 
 
 def _told(event: Event) -> str:
-    if isinstance(event, Garbage):
+    if isinstance(event, OutOfStep):
         shown, rest = event.data, "not a frame"
     else:
         assert not isinstance(event, Answered)

@@ -27,10 +27,11 @@ from ev3proto.link.masking import masked, masked_note, masked_opening
 from ev3proto.link.open_handles import OpenHandles
 from ev3proto.link.records import Records
 from ev3proto.link.refusals import refused
-from ev3proto.link.reply_stream import Garbage, ReplyStream
+from ev3proto.link.reply_stream import ReplyStream
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.discovery import Beacon
 from ev3proto.schema.frame import parse
+from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.semantics.pairing import Pairing, pairing_key
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.system import close_filehandle
@@ -263,9 +264,9 @@ class Proxy:
         except ConnectionLostError as error:
             self._loop.call_soon_threadsafe(self.act, partial(_raise, error))
 
-    def _take(self, part: bytes | Garbage) -> None:
+    def _take(self, part: bytes | OutOfStep) -> None:
         client = self._client
-        if isinstance(part, Garbage):
+        if isinstance(part, OutOfStep):
             self.say_once(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
             return
         answer = self._pairing.answered(*pairing_key(part), self._now_ns())

@@ -11,18 +11,17 @@ from enum import Enum
 
 from ev3proto.bounded import Bounded
 from ev3proto.link.errors import LinkError
-from ev3proto.link.reply_stream import Garbage, ReplyStream
+from ev3proto.link.reply_stream import ReplyStream
+from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.schema.header import Header, build_frame
 from ev3proto.semantics.pairing import pairing_key
-from ev3proto.tables.frame import COUNTERS, MessageType
+from ev3proto.tables.frame import ASKING_TYPES, COUNTERS, MessageType
 
 FIRST_COUNTER = 42
 """The counter of the first command, as in the lessons."""
 
 MOST_ABANDONED = 1024
 """Maximum number of abandoned commands whose counters are not reused yet, in case their replies come after all."""
-
-_ASKING = frozenset(int(member) for member in MessageType if member.wants_reply)
 
 
 @dataclass(eq=False, slots=True)
@@ -58,7 +57,7 @@ class Stray:
     frame: bytes
 
 
-Event = Answered | Stray | Garbage
+Event = Answered | Stray | OutOfStep
 """The events of a session."""
 
 
@@ -100,7 +99,7 @@ class Session:
     def adopt(self, frame: bytes) -> Request:
         """Takes a command with its counter. Raises LinkError if a command with that counter is waiting."""
         _, counter, code = Header.read(frame)
-        request = Request(counter, frame, code in _ASKING)
+        request = Request(counter, frame, code in ASKING_TYPES)
         if request.wants_reply:
             if counter in self._waiting:
                 raise LinkError(f"a command with the counter {counter} waits for its reply: give this one another")
@@ -119,7 +118,7 @@ class Session:
 
     def feed(self, data: bytes) -> list[Event]:
         """Takes bytes from the brick, in any chunks. Returns the events, in order."""
-        return [part if isinstance(part, Garbage) else self._taken(part) for part in self._stream.feed(data)]
+        return [part if isinstance(part, OutOfStep) else self._taken(part) for part in self._stream.feed(data)]
 
     def _taken(self, frame: bytes) -> Answered | Stray:
         _, counter, code = Header.read(frame)

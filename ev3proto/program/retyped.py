@@ -131,9 +131,7 @@ class Types(NamedTuple):
         return self._read(operation, 1, ((DATAF, Direction.IN),))
 
     def _read(self, operation: Operation, first: int, kinds: Kinds) -> Operation:
-        _, data, start, end = operation[:4]
-        schema = retyped(instruction_set(self.dialect)[operation.full_name], first, kinds)
-        return type(operation)((schema, data, start, end, schema.arguments(data, start, end)))
+        return operation.read_by(retyped(instruction_set(self.dialect)[operation.full_name], first, kinds))
 
 
 @cache

@@ -22,7 +22,8 @@ from ev3proto.errors import BuildError, DecodeError
 from ev3proto.scapy.operations import EV3Operation, OperationsField, in_a_row, memory_of
 from ev3proto.scapy.system import SYSTEM_BODIES, EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import Unlock
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame, frame_size, may_have_length
+from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
@@ -32,11 +33,12 @@ from ev3proto.tables.frame import (
     LOCAL_BITS,
     MAX_GLOBALS,
     MAX_LOCALS,
+    MESSAGE_TYPES,
     MessageType,
 )
 
 _REQUEST = UNLOCK_REQUEST.encode()
-_TYPES = {member.value: member.name for member in MessageType}
+_TYPES = {number: member.name for number, member in MESSAGE_TYPES.items()}
 
 
 class EV3Text(Packet):
@@ -66,11 +68,10 @@ class EV3(Packet):
         """Returns the first frame or text of a stream, with the rest as padding; None while it is not complete."""
         if data.startswith((_REQUEST[: len(data)], ACCEPT[: len(data)])):
             return _text(data)
-        if len(data) < LENGTH_FIELD:
-            return None
-        if not may_have_length(data):
+        found = FrameBuffer(data, polls=False).next()
+        if isinstance(found, OutOfStep):
             return Raw(data)  # the start of the next frame is unknown
-        return cls(data) if len(data) >= frame_size(data) else None
+        return None if found is None else cls(data)
 
     def extract_padding(self, s: bytes) -> tuple[bytes, bytes]:
         """Returns the body, and the bytes after the frame."""
@@ -127,7 +128,7 @@ class EV3(Packet):
 
 
 def _member(packet: Packet) -> MessageType | None:
-    return MessageType(packet.type) if isinstance(packet, EV3) and packet.type in _TYPES else None
+    return MESSAGE_TYPES.get(packet.type) if isinstance(packet, EV3) else None
 
 
 def _text(data: bytes) -> Packet | None:

@@ -40,6 +40,7 @@ from ev3proto.tables.frame import (
     LENGTH_FIELD,
     MAX_FRAME,
     MAX_LENGTH,
+    MESSAGE_TYPES,
     MIN_LENGTH,
     MessageType,
 )
@@ -64,7 +65,7 @@ class FrameReader:
             "daisy-command": (DaisyCommand, self._daisy_command),
             "daisy-reply": (DaisyReply, self._daisy_reply),
         }
-        self._types = {member.value: (member, *bodies[member.kind]) for member in MessageType}
+        self._types = {number: (member, *bodies[member.kind]) for number, member in MESSAGE_TYPES.items()}
 
     def __reduce__(self) -> tuple[Callable[[str], FrameReader], tuple[str]]:
         """Pickles as the reader of its dialect, which is shared within a process."""

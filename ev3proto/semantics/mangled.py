@@ -8,11 +8,9 @@ from typing import NamedTuple
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import COMMAND_TYPES, MESSAGE_TYPES
 
 _TYPE_AT = HEADER_SIZE - 1
-_TYPES = frozenset(map(int, MessageType))
-_COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
 _REPLACED = b"\xef\xbf\xbd"
 _QUESTION = 0x3F
 _ASCII = 0x80
@@ -96,7 +94,7 @@ def _without_utf8(data: bytes) -> bytes:
 
 def _is_flawless(frame: bytes) -> bool:
     """Whether bytes are a frame that a brick can read, or a reply of the right length."""
-    if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[_TYPE_AT] not in _TYPES:
+    if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[_TYPE_AT] not in MESSAGE_TYPES:
         return False
     message = parse(frame, strict=False)
     if message.fault is not None:
@@ -108,4 +106,6 @@ def _may_be(frame: bytes) -> bool:
     """Whether a frame of the right length has no byte above 7F, and question marks where it needs some."""
     if len(frame) <= COMMAND_HEADER_SIZE or frame_size(frame) != len(frame) or max(frame) >= _ASCII:
         return False
-    return frame[_TYPE_AT] == _QUESTION or (frame[_TYPE_AT] in _COMMANDS and frame[COMMAND_HEADER_SIZE] == _QUESTION)
+    return frame[_TYPE_AT] == _QUESTION or (
+        frame[_TYPE_AT] in COMMAND_TYPES and frame[COMMAND_HEADER_SIZE] == _QUESTION
+    )

@@ -83,6 +83,20 @@ class MessageType(IntEnum):
         return self.name.endswith("_ERROR")
 
 
+MESSAGE_TYPES = {member.value: member for member in MessageType}
+"""The types by their numbers."""
+
+COMMAND_TYPES = frozenset(number for number, member in MESSAGE_TYPES.items() if member.is_command)
+REPLY_TYPES = frozenset(MESSAGE_TYPES) - COMMAND_TYPES
+ASKING_TYPES = frozenset(number for number, member in MESSAGE_TYPES.items() if member.wants_reply)
+"""The numbers of commands, of replies, and of commands that want a reply."""
+
+TYPES_BY_KIND = {
+    kind: tuple(member for member in MessageType if member.kind == kind)
+    for kind in dict.fromkeys(member.kind for member in MessageType)
+}
+"""The types of each kind: `direct-command`, `direct-reply`, ..."""
+
 DIRECT_COMMAND_TYPES = {True: MessageType.DIRECT_COMMAND_REPLY, False: MessageType.DIRECT_COMMAND_NO_REPLY}
 """The type of a direct command, by whether it wants a reply."""
 

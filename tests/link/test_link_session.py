@@ -9,8 +9,8 @@ from hypothesis.stateful import Bundle, RuleBasedStateMachine, consumes, invaria
 from support.effort import THOROUGH
 
 from ev3proto.link.errors import LinkError
-from ev3proto.link.reply_stream import Garbage
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
+from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.tables.frame import MessageType
 
 ASK, TELL = MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY
@@ -134,7 +134,10 @@ def test_frames_that_answer_no_command(frame: bytes, oddity: Oddity) -> None:
 def test_after_garbage_the_next_answer_is_found(garbage: bytes) -> None:
     session = Session()
     request = session.command(ASK, NOP)
-    assert session.feed(garbage + reply(42, b"\x07")) == [Garbage(garbage), Answered(request, reply(42, b"\x07"))]
+    assert session.feed(garbage + reply(42, b"\x07")) == [
+        OutOfStep("no frame can start here", garbage),
+        Answered(request, reply(42, b"\x07")),
+    ]
 
 
 def test_the_largest_reply_that_the_firmware_grants_is_taken() -> None:
@@ -213,7 +216,7 @@ class Traffic(RuleBasedStateMachine):
     def send_zeros(self, zeros: int) -> None:
         # Answers of LEGO's firmware to some system commands. Only an awaited answer ends the search.
         self.settle()
-        assert all(isinstance(event, Garbage) for event in self.session.feed(bytes(zeros)))
+        assert all(isinstance(event, OutOfStep) for event in self.session.feed(bytes(zeros)))
         request = self.session.command(ASK, NOP)
         events = self.session.feed(reply(request.counter))
         assert events[-1] == Answered(request, reply(request.counter))
@@ -222,7 +225,7 @@ class Traffic(RuleBasedStateMachine):
     def settle(self, size: int = 7) -> None:
         for start in range(0, len(self.wire), size):
             for event in self.session.feed(self.wire[start : start + size]):
-                assert not isinstance(event, Garbage)
+                assert not isinstance(event, OutOfStep)
                 self.seen.append(event)
         self.wire = b""
 

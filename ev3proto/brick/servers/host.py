@@ -15,8 +15,8 @@ from ev3proto.brick.brick import Addressed, Brick
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
 from ev3proto.errors import counted
-from ev3proto.schema.header import frame_size, out_of_step
-from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.schema.frame_buffer import FrameBuffer
+from ev3proto.schema.header import out_of_step
 from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
@@ -36,8 +36,6 @@ _MOST_ADVANCING = 0.01
 
 _MOST_BEHIND = 250_000
 """Microseconds that the brick's clock may be behind. If this computer cannot keep up, the clock is slow."""
-
-_POLL = bytes(LENGTH_FIELD)
 
 _MICROSECONDS = 1_000_000
 _MOST_SHOWN = 48
@@ -109,7 +107,8 @@ class Connection:
         self.is_gone = False  # whether its client has disconnected; earlier frames are still served, and not answered
         self._host = host
         self._line = line
-        self._incoming = bytearray()
+        self._incoming = FrameBuffer(judge=self._believe)
+        self._frame: bytes | None = None  # the next whole frame
         self._is_paused = False
         self._is_throttled = False
         self._is_out_of_step = False
@@ -117,9 +116,9 @@ class Connection:
 
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""
-        self._incoming += data
+        self._incoming.append(data)
         self._look()
-        if len(self._incoming) > MOST_BUFFERED and not self._is_paused:
+        if self._buffered > MOST_BUFFERED and not self._is_paused:
             self._is_paused = True
             self._line.pause()
         self._host.wake()
@@ -139,38 +138,40 @@ class Connection:
     def forget_frames(self) -> None:
         """Forgets the frames of a client that has disconnected."""
         if self.is_gone:
-            self._incoming.clear()
+            self._incoming = FrameBuffer()
+            self._frame = None
 
     def _look(self) -> None:
-        """Skips polls, lengths of 0 between frames, as the firmware does; reports what follows if it is not a frame."""
-        while self._incoming.startswith(_POLL):
-            del self._incoming[: len(_POLL)]
-        if len(self._incoming) >= LENGTH_FIELD and not self._is_out_of_step:
-            reason = out_of_step(self._incoming)
-            if reason is not None:
-                self._is_out_of_step = True
-                self._host.say_once(f"{self.name}: {reason}")
+        """Takes the next frame out of the buffer, if it is whole."""
+        if self._frame is None and isinstance(frame := self._incoming.next(), bytes):
+            self._frame = frame
+
+    def _believe(self, data: bytearray, at: int) -> None:
+        """Believes any length, as the firmware does; reports the first that no frame can have."""
+        if not self._is_out_of_step and (reason := out_of_step(data, at)) is not None:
+            self._is_out_of_step = True
+            self._host.say_once(f"{self.name}: {reason}")
 
     @property
     def left(self) -> bytes:
-        """The bytes of an incomplete frame."""
-        return bytes(self._incoming)
+        """The bytes that were not served: whole frames, and those of an incomplete one."""
+        return (self._frame or b"") + self._incoming.pending
+
+    @property
+    def _buffered(self) -> int:
+        return len(self._frame or b"") + len(self._incoming)
 
     @property
     def is_ready(self) -> bool:
         """Whether a whole frame has arrived and can be served."""
-        incoming = self._incoming
-        if self._is_throttled or self._delayed >= MOST_DELAYED or len(incoming) < LENGTH_FIELD:
-            return False
-        return len(incoming) >= frame_size(incoming)
+        return self._frame is not None and not self._is_throttled and self._delayed < MOST_DELAYED
 
     def take(self) -> bytes:
         """Takes the next whole frame."""
-        size = frame_size(self._incoming)
-        frame = bytes(self._incoming[:size])
-        del self._incoming[:size]
+        assert self._frame is not None
+        frame, self._frame = self._frame, None
         self._look()
-        if self._is_paused and len(self._incoming) <= MOST_BUFFERED:
+        if self._is_paused and self._buffered <= MOST_BUFFERED:
             self._is_paused = False
             self._line.resume()
         return frame
@@ -417,13 +418,11 @@ class Host:
 
 def _unfinished(left: bytes) -> str:
     """Returns a client's bytes that were not served: whole frames, or an incomplete one."""
-    frames = 0
-    while len(left) >= LENGTH_FIELD and len(left) >= frame_size(left):
-        frames += left[:LENGTH_FIELD] != _POLL
-        left = left[frame_size(left) :]
-    if frames or not left:
+    buffer = FrameBuffer(left, judge=lambda _data, _at: None)
+    frames = len(list(buffer))
+    if frames or not len(buffer):
         return f"the connection ended before {counted(frames, 'frame')} of it {'was' if frames == 1 else 'were'} served"
-    if len(left) < LENGTH_FIELD:
+    if buffer.size is None:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
-    reason = out_of_step(left)
-    return reason or f"the connection ended inside a frame: {len(left)} of its {counted(frame_size(left), 'byte')} came"
+    reason = out_of_step(buffer.pending)
+    return reason or f"the connection ended inside a frame: {len(buffer)} of its {counted(buffer.size, 'byte')} came"

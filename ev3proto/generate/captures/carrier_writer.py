@@ -6,9 +6,7 @@ from typing import NamedTuple, Protocol
 
 from ev3proto.errors import BuildError
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, MessageType
-
-_REPLIES = {member.value for member in MessageType if not member.is_command}
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MIN_LENGTH, REPLY_TYPES
 
 
 class TimedFrame(NamedTuple):
@@ -39,7 +37,7 @@ class CarrierWriter(Protocol):
 
 def goes_to_brick(frame: bytes) -> bool:
     """Tells whether a frame goes to the brick, by its message type: everything except replies does."""
-    return frame[HEADER_SIZE - 1] not in _REPLIES
+    return frame[HEADER_SIZE - 1] not in REPLY_TYPES
 
 
 def check_frame(frame: bytes) -> None:

@@ -15,12 +15,18 @@ from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MIN_LENGTH, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import (
+    LENGTH_FIELD,
+    MAX_FRAME,
+    MAX_LENGTH,
+    MESSAGE_TYPES,
+    MIN_LENGTH,
+    REPORT_SIZES,
+)
 
 MOST_DEVICES = 1024
 """Maximum number of remembered devices; no computer has more."""
 
-_TYPES = {int(member): member for member in MessageType}
 _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
 
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
@@ -75,7 +81,7 @@ class Reports:
         reported = len(found.data) + packet.size - len(packet.data)
         is_big = reported == MAX_FRAME
         is_whole = reported in REPORT_SIZES and is_frame_size(len(frame)) and len(frame) == frame_size(frame)
-        member = _TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
+        member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
         if member is not None and (member.carries == "daisy" if not is_big else _is_overwritten(found)):
             # Bricks in a chain send commands both ways, in smaller reports than computers.
             return [] if is_sensible(self._context.schema.read_frame(frame, strict=False)) else None
@@ -121,7 +127,7 @@ class Reports:
 def _is_overwritten(found: Urb) -> bool:
     """Returns whether a reply has the request written over its start: it is from the device, with a command's type."""
     frame = found.frame
-    member = _TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) > HEADER_SIZE else None
+    member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) > HEADER_SIZE else None
     if member is None or found.is_from_host:
         return False
     return member.kind == "system-command" and frame[HEADER_SIZE] in _BOOTLOADER

@@ -29,6 +29,8 @@ from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
 from ev3proto.generate.cheader import build as header
+from ev3proto.generate.exported import EXPORTED
+from ev3proto.generate.javascript import build as module
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
@@ -74,6 +76,19 @@ def kaitai(dialect: str, output: Path | None, check: bool) -> None:
     write_text(description.build(dialect), output, check=check)
 
 
+@export.command()
+@click.option("--types", is_flag=True, help="Write ev3.d.ts, the types of the functions, for TypeScript.")
+@output_options
+def javascript(types: bool, output: Path | None, check: bool) -> None:
+    """Writes ev3.mjs: names of numbers, and functions that make frames, for Node and browsers.
+
+    \b
+      ev3proto export javascript -o ev3.mjs
+      ev3proto export javascript --types -o ev3.d.ts
+    """  # noqa: D301
+    write_text(module.build_types() if types else module.build(), output, check=check)
+
+
 @export.command("json")
 @output_options
 def json_tables(output: Path | None, check: bool) -> None:
@@ -117,17 +132,10 @@ def everything(folder: Path, check: bool) -> None:
       ev3proto export all exports
       ev3proto export all exports --check
     """  # noqa: D301
-    texts = {
-        header.FILE_NAME: header.build(),
-        description.FILE_NAME: description.build(),
-        tables.TABLES_NAME: tables.build_tables(),
-        tables.SCHEMA_NAME: tables.build_schema(),
-        output_schemas.FILE_NAME: output_schemas.build(),
-    }
     if not check:
         with failing_to("created", folder):
             folder.mkdir(parents=True, exist_ok=True)
-    outcomes = [put(text.encode(), folder / name, check=check) for name, text in texts.items()]
+    outcomes = [put(make().encode(), folder / name, check=check) for name, make in EXPORTED.items()]
     sys.exit(0 if all(outcomes) else 1)
 
 

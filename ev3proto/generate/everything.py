@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ev3proto.generate import modules, output_schemas
-from ev3proto.generate.cheader import build as cheader
+from ev3proto.generate import modules
 from ev3proto.generate.dissector import build as dissector
-from ev3proto.generate.kaitai import build as kaitai
+from ev3proto.generate.exported import EXPORTED
 from ev3proto.generate.modules.source import MARK
 from ev3proto.generate.pages import build as pages
 from ev3proto.generate.pages.markdown import MARK as PAGE_MARK
-from ev3proto.generate.tables_json import build as tables_json
 
 COMMAND = "python -m ev3proto.generate"
 """The command that regenerates everything."""
@@ -23,11 +21,7 @@ def build(more: Mapping[str, str]) -> dict[str, str]:
     return {
         **modules.build(),
         **{f"dissector/{name}": text for name, text in dissector.files().items()},
-        f"exports/{cheader.FILE_NAME}": cheader.build(),
-        f"exports/{kaitai.FILE_NAME}": kaitai.build(),
-        f"exports/{tables_json.TABLES_NAME}": tables_json.build_tables(),
-        f"exports/{tables_json.SCHEMA_NAME}": tables_json.build_schema(),
-        f"exports/{output_schemas.FILE_NAME}": output_schemas.build(),
+        **{f"exports/{name}": make() for name, make in EXPORTED.items()},
         **pages.build(),
         **more,
     }

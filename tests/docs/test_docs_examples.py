@@ -134,6 +134,26 @@ def test_pyright_finds_nothing_in_the_programs(programs: Path) -> None:
     assert done.returncode == 0, done.stdout
 
 
+def test_the_generator_writes_functions_of_all_operations(clone: Path) -> None:
+    page = ROOT / "docs" / "howto" / "your-language.md"
+    (program,) = blocks(page, "py")
+    assert run_program(sys.executable, "-c", program, cwd=clone).stdout == blocks(page, "text")[0]
+    functions = (clone / "operations.go").read_text()
+    assert (
+        "func SoundTone(aVolume Arg, aFrequency Arg, aDuration Arg) []byte "
+        "{ return op(0x94, LC(1), aVolume, aFrequency, aDuration) }\n"
+    ) in functions
+    assert "func InitBytes(aDestination Arg, values ...Arg) []byte" in functions
+
+
+def test_the_module_makes_what_is_shown(tmp_path: Path) -> None:
+    page = ROOT / "docs" / "howto" / "javascript.md"
+    (tmp_path / "ev3.mjs").symlink_to(ROOT / "exports" / "ev3.mjs")
+    (tmp_path / "program.mjs").write_text(blocks(page, "javascript")[-1])
+    done = run_program("node", "program.mjs", cwd=tmp_path)
+    assert done.stdout == blocks(page, "text")[-1]
+
+
 def test_the_c_programs_print_what_is_shown(tmp_path: Path) -> None:
     page = ROOT / "docs" / "howto" / "c.md"
     for program, shown in zip(blocks(page, "c"), blocks(page, "text"), strict=True):
@@ -147,8 +167,8 @@ def test_the_c_programs_print_what_is_shown(tmp_path: Path) -> None:
 
 def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
     page = ROOT / "docs" / "howto" / "javascript.md"
-    compiling, reading = blocks(page, "javascript")
-    (shown,) = blocks(page, "text")
+    compiling, reading, _ = blocks(page, "javascript")
+    shown, _ = blocks(page, "text")
     (tmp_path / "ev3.ksy").symlink_to(ROOT / "exports" / "ev3.ksy")
     # Where tests/run has installed what the page tells its readers to install.
     compiler = os.environ.get("EV3PROTO_KSC")

@@ -38,6 +38,12 @@ def test_a_list_typed_by_another_parameter() -> None:
     assert (values["type"], values["element_from"], values["elements"]) == ("count", "FORMAT", "out")
 
 
+def test_operations_say_whether_they_have_a_list() -> None:
+    assert entry("input", "INPUT_READEXT")["has_list"]
+    assert entry("move", "INIT_BYTES")["has_list"]
+    assert "has_list" not in entry("input", "INPUT_READSI")
+
+
 def test_dialects() -> None:
     assert "dialects" not in entry("sound", "SOUND")
     assert entry("output", "OUTPUT_POSITION")["dialects"] == []

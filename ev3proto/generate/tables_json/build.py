@@ -188,6 +188,11 @@ def _parameters(entry: Any) -> list[Object]:
     return [_PARAMETER.data(parameter) for parameter in entry.parameters]
 
 
+_HAS_LIST = (
+    flag("a list of values ends its arguments: the last or last but one parameter says how many follow"),
+    lambda it: bool(it.parameters) and it.parameters[-1].is_list,
+)
+
 _COMMAND = Shape(
     "a CMD of a family",
     {
@@ -197,9 +202,10 @@ _COMMAND = Shape(
         "dialects": _DIALECTS,
         "note": _NOTE,
         "effects": _EFFECTS,
+        "has_list": _HAS_LIST,
         "parameters": (array(ref("parameter"), "what follows CMD"), _parameters),
     },
-    optional=("dialects", "note", "effects"),
+    optional=("dialects", "note", "effects", "has_list"),
 )
 
 _OPCODE = Shape(
@@ -211,6 +217,7 @@ _OPCODE = Shape(
         "dialects": _DIALECTS,
         "note": _NOTE,
         "effects": _EFFECTS,
+        "has_list": _HAS_LIST,
         "parameters": (
             array(ref("parameter"), "what follows the opcode"),
             lambda it: None if it.is_family else _parameters(it),
@@ -220,7 +227,7 @@ _OPCODE = Shape(
             lambda it: [_COMMAND.data(command) for command in it.commands] if it.is_family else None,
         ),
     },
-    optional=("dialects", "note", "effects", "parameters", "commands"),
+    optional=("dialects", "note", "effects", "has_list", "parameters", "commands"),
 )
 
 _ENCODING = Shape(

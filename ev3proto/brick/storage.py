@@ -15,11 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-HOME = (b"home", b"root", b"lms2012")
-"""The path of the folder on the brick."""
-
-CURRENT = (*HOME, b"sys")
-"""Where relative paths start."""
+from ev3proto.tables.paths import HOME, parts
 
 FOLDERS = ("apps", "prjs", "sys", "tools")
 """The folders of a new brick."""
@@ -72,11 +68,11 @@ class Storage:
 
     def locate(self, path: bytes) -> Path | None:
         """Returns the path on this computer; None if it leads outside or through something other than a folder."""
-        parts = self._parts(path)
-        if self.root is None or tuple(parts[: len(HOME)]) != HOME:
+        names = parts(path)
+        if self.root is None or tuple(names[: len(HOME)]) != HOME:
             return None
         place = self.root
-        for part in parts[len(HOME) :]:
+        for part in names[len(HOME) :]:
             if place != self.root and not _is_folder(place):
                 return None
             # The brick's name must be a single name here, too, without separators or drives of this system.
@@ -86,23 +82,13 @@ class Storage:
             place = place / name
         return place
 
-    def _parts(self, path: bytes) -> list[bytes]:
-        """Returns the names in a path, from the brick's root folder."""
-        parts = [] if path.startswith(b"/") else list(CURRENT)
-        for part in path.split(b"/") if b"\0" not in path else ():
-            if part == b"..":
-                del parts[-1:]
-            elif part not in (b"", b"."):
-                parts.append(part)
-        return parts if path else []
-
     def _above(self, path: bytes) -> bytes | None:
         """Returns the only entry of a folder above the brick's files, `/`, `/home` or `/home/root`; None for others."""
-        parts = self._parts(path)
+        names = parts(path)
         is_above = (
-            self.root is not None and bool(path) and len(parts) < len(HOME) and HOME[: len(parts)] == tuple(parts)
+            self.root is not None and bool(path) and len(names) < len(HOME) and HOME[: len(names)] == tuple(names)
         )
-        return HOME[len(parts)] if is_above else None
+        return HOME[len(names)] if is_above else None
 
     def is_file(self, path: bytes) -> bool:
         """Returns whether a path names a file."""

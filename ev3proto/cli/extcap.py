@@ -126,7 +126,15 @@ def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
             recording = Recording(cast(BinaryIO, pipe))
             recording.flush()
         with failing_on(LinkError):
-            proxy = Proxy(wire, str(target), options, show=lambda _pair: None, say=complain, recording=recording)
+            proxy = Proxy(
+                wire,
+                str(target),
+                options,
+                show=lambda _pair: None,
+                say=complain,
+                recording=recording,
+                reopen=lambda: open_wire(target),
+            )
         pipe.proxy = proxy
         with stopped_by_signals(proxy.stop):
             proxy.serve()

@@ -99,7 +99,15 @@ def proxy(
             stack.callback(wire.close)
             if beacon:
                 options = replace(options, announced=serial_number or announced_number(target, wire))
-            relay = Proxy(wire, str(target), options, show=shown, say=complain, recording=recording)
+            relay = Proxy(
+                wire,
+                str(target),
+                options,
+                show=shown,
+                say=complain,
+                recording=recording,
+                reopen=lambda: open_wire(target),
+            )
         shown.start_ns = relay.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Anyone who can reach {address} can control the brick through this proxy (--from, --read-only).")

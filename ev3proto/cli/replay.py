@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections import Counter
+from collections.abc import Mapping
 
 import click
 
@@ -20,8 +21,9 @@ from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import ConnectionLostError, NoAnswerError
 from ev3proto.link.harm import Harm
+from ev3proto.link.policy import conduct
 from ev3proto.link.records import Records
-from ev3proto.link.replay import Handles, Likeness, Step, compare, firmware_of, steps
+from ev3proto.link.replay import Likeness, Replay, Step, compare, firmware_of, plan, steps
 from ev3proto.link.targets import Target
 from ev3proto.tables import operations
 from ev3proto.tables.system import SYSTEM
@@ -83,7 +85,8 @@ def replay(
 
     Commands that only read are sent. Others are omitted and listed, unless --allow names what they do: see its list.
     `computing` is what changes nothing on the brick, but may take long or write over memory: texts, arrays, jumps,
-    waits. File handles are those that the brick assigns now; message counters are new.
+    waits. File handles are those that the brick assigns now; message counters are new. Before a command that gives a
+    sensor's type the brick is asked for the type that is there.
 
     Exit status: 0 if every reply is of the recorded kind, whatever its values; 1 if one is missing or of another kind.
 
@@ -94,45 +97,57 @@ def replay(
       ev3proto replay talk.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
     inputs = Inputs([Source(name)], reading, ONLY_CAPTURES)
-    found = [step for capture in inputs.captures() for step in steps(dialogues(capture.events()), allowed)]
+    found = [step for capture in inputs.captures() for step in steps(dialogues(capture.events()))]
     if not found and not inputs.at_fault:
         raise Failure(f"{inputs.sources[0].label}: no command found")
     if not found:
         sys.exit(1)
     if dry_run:
-        _show_plan(found)
+        _show_plan(found, allowed)
         sys.exit(1 if inputs.at_fault else 0)
     with channel_to(target) as channel:
-        replaying = _Replaying(channel, str(target), timeout, reading.dialect, fast=fast, only_different=differences)
+        replaying = _Replaying(
+            channel, str(target), timeout, reading.dialect, allowed, fast=fast, only_different=differences
+        )
         is_fine = replaying.run(found)
     sys.exit(0 if is_fine and not inputs.at_fault else 1)
 
 
-def _show_plan(found: list[Step]) -> None:
+def _show_plan(found: list[Step], allowed: frozenset[str]) -> None:
     printer = Printer()
-    for step in found:
+    left_out = 0
+    for step, harms in plan(found, allowed):
         command = command_spans(step.command.message)
-        if step.harms:
-            printer.lines([[("omitted   ", Role.FAULT), *command, (_why(step), Role.ASIDE)]])
+        left_out += bool(harms)
+        if harms:
+            printer.lines([[("omitted   ", Role.FAULT), *command, (_why(harms), Role.ASIDE)]])
         else:
             printer.lines([[("sent      ", Role.VALUE), *command]])
-    left_out = sum(bool(step.harms) for step in found)
     complain(f"{counted(len(found) - left_out, 'command')} would be sent, {left_out} omitted")
 
 
-def _why(step: Step) -> str:
-    return "".join(f"; {name} {harm.text} (--allow {harm})" for harm, name in step.harms.items())
+def _why(harms: Mapping[Harm, str]) -> str:
+    return "".join(f"; {name} {harm.text} (--allow {harm})" for harm, name in harms.items())
 
 
 class _Replaying:
     """Sends the steps and shows the results."""
 
     def __init__(
-        self, channel: Channel, peer: str, timeout: float, dialect: str, *, fast: bool, only_different: bool
+        self,
+        channel: Channel,
+        peer: str,
+        timeout: float,
+        dialect: str,
+        allowed: frozenset[str],
+        *,
+        fast: bool,
+        only_different: bool,
     ) -> None:
         self._channel = channel
         self._records = Records(channel.carrier, peer, dialect)
-        self._handles = Handles()
+        self._replay = Replay(allowed)
+        self._frame = b""
         self._timeout = timeout
         self._dialect = dialect
         self._fast = fast
@@ -147,15 +162,11 @@ class _Replaying:
         begin, begin_ns = time.monotonic(), found[0].command.time_ns
         try:
             for step in found:
-                if step.harms:
-                    self._counts["omitted"] += 1
-                    line = [("omitted: ", Role.FAULT), *command_spans(step.command.message), (_why(step), Role.ASIDE)]
-                    self._printer.lines([line])
-                    continue
                 if not self._fast:
                     due = begin + (step.command.time_ns - begin_ns) / _NANOSECONDS
                     time.sleep(max(0.0, due - time.monotonic()))
                 self._step(step)
+            conduct(self._replay.leave(), self._exchange)
         except ConnectionLostError as error:
             complain(str(error))
             return False
@@ -169,17 +180,15 @@ class _Replaying:
         return not counts[Likeness.KIND.value]
 
     def _step(self, step: Step) -> None:
-        ticket = self._channel.send_again(self._handles.frame_for(step.command))
-        frame = ticket.request.frame
+        outcome = conduct(self._replay.talk(step), self._exchange)
+        if outcome.harms:
+            self._counts["omitted"] += 1
+            line = [("omitted: ", Role.FAULT), *command_spans(step.command.message), (_why(outcome.harms), Role.ASIDE)]
+            self._printer.lines([line])
+            return
+        frame, reply = self._frame, outcome.reply
         command = self._records.sent(frame)
-        reply: bytes | None = None
-        try:
-            reply = self._channel.wait(ticket, self._timeout) or None
-        except NoAnswerError as error:
-            complain(str(error))
         received = None if reply is None else self._records.received(reply, command)
-        if reply is not None:
-            self._handles.learn(step.reply, reply)
         if received is not None:
             self._firmware = firmware_of(received) or self._firmware
         likeness, difference = compare(step, frame, reply, self._dialect)
@@ -190,3 +199,13 @@ class _Replaying:
         if difference:
             role = Role.FAULT if likeness is Likeness.KIND else Role.MEANING
             self._printer.lines([[(f"{'':20} {difference}", role)]])
+
+    def _exchange(self, frame: bytes) -> bytes | None:
+        """Sends a frame. Returns its reply; None if there is none."""
+        ticket = self._channel.send_again(frame)
+        self._frame = ticket.request.frame
+        try:
+            return self._channel.wait(ticket, self._timeout) or None
+        except NoAnswerError as error:
+            complain(str(error))
+            return None

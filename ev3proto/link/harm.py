@@ -5,22 +5,21 @@ A proxy for untrusted clients forwards only what is on the list. A replay also s
 
 from __future__ import annotations
 
-import math
-import re
-from collections.abc import Container, Sequence
+from collections import Counter
+from collections.abc import Container, Mapping
 from enum import StrEnum
 
-from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
+from ev3proto.link.arguments import GRANTED, Code, is_bounded, only_reads
+from ev3proto.link.known import NOTHING, Known
+from ev3proto.link.transfers import NO_TRANSFERS, is_listing, is_of
+from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.semantics.domain import domain_of
-from ev3proto.semantics.facts import UNTYPED_SIZE
-from ev3proto.semantics.footprint import Footprint, footprints, whole_number
-from ev3proto.tables.declaration import Effect, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT, limits_of
-from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_FRAME, MAX_LOCALS
+from ev3proto.tables.declaration import Effect
+from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.paths import WHOLE, is_allowed
+from ev3proto.tables.reading import Reading, is_own, reading_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
-from ev3proto.tables.validation import LABELS
 
 
 class Harm(StrEnum):
@@ -71,38 +70,29 @@ class Harm(StrEnum):
 
 _GROUPED = frozenset(effect for harm in Harm for effect in harm.effects)
 
-_Memory = dict[str, int]
-"""Bytes of global and of local memory."""
-
-_GRANTED: _Memory = {GLOBAL: GRANTED_GLOBALS, LOCAL: MAX_LOCALS}
-"""The memory that every direct command has, whatever it requests."""
-
 _MOST_REPLIED = MAX_FRAME - HEADER_SIZE
 """Bytes of global memory that fit into a reply."""
-
-_MOST_WAITS = 16
-"""Maximum number of operations in a command that may wait for a sensor, each for 1.2 s at most."""
-
-_LONGEST_TEXT = 127
-"""Bytes of the longest text that an operation returns; the firmware reads its length as a signed byte."""
-
-_NUMBER_TEXT = 129
-"""Bytes of the longest text of a number, and more than any other text that STRINGS adds to those it is given."""
-
-_FORMAT = re.compile(r"[^%]*%[-+ #0]*\d{0,2}(\.\d{0,2})?[acdefgiouxAEFGX][^%]*")
-"""A format of C's printf that reads one number and writes only the text."""
 
 _Found = tuple[list[tuple[str, tuple[Effect, ...]]], list[str]]
 """The effects of operations and system commands, by name, and the names of those that may do anything."""
 
 
-def harms_of(message: Message, allowed: Container[str] = (), handles: Container[int] = ()) -> dict[Harm, str]:
+def harms_of(
+    message: Message,
+    allowed: Container[str] = (),
+    handles: Mapping[int, str] = NO_TRANSFERS,
+    known: Known = NOTHING,
+) -> dict[Harm, str]:
     """Returns what a message may do besides reading: each group with the first operation that does it.
 
-    `allowed` has groups and full names; `handles` has those of files that the sender opened, and may read and close.
+    Args:
+        message: A command.
+        allowed: Groups and full names.
+        handles: The files and listings that the sender has opened: for each handle the command that began it.
+        known: What the brick has answered about its ports and files.
     """
     if isinstance(message, DirectCommand) and message.fault is None:
-        effects, unknown = _of_direct(message)
+        effects, unknown = _of_direct(message, known)
     elif isinstance(message, SystemCommand) and message.fault is None:
         effects, unknown = _of_system(message, handles)
     else:
@@ -119,124 +109,45 @@ def harms_of(message: Message, allowed: Container[str] = (), handles: Container[
     return found
 
 
-def _of_system(command: SystemCommand, handles: Container[int]) -> _Found:
+def _of_system(command: SystemCommand, handles: Mapping[int, str]) -> _Found:
     entry = SYSTEM_BY_NUMBER.get(command.number)
     if entry is None:
         return [], ["the frame"]
-    effects, path, handle = entry.effects, command.fields.get("path", ""), command.fields.get("handle")
-    if Effect.READS in effects and handle is not None and handle not in handles:
-        # The firmware does not check whose file it is: another client could lose the file, or its position in it.
-        effects = (Effect.COMPUTES,)
-    return [(entry.name, effects)], [entry.name] if isinstance(path, str) and len(path) >= WHOLE else []
+    effects, path = entry.effects, str(command.fields.get("path", "")).encode(STRING_CODING)
+    is_fine = entry.transfer in (None, "begin") or is_of(entry, command.fields.get("handle"), handles)
+    if Effect.READS in effects:
+        # The handle of a file that is opened without a reply is unknown, so it would stay open.
+        is_fine = is_fine and command.wants_reply
+        if entry.transfer == "begin":
+            is_fine = is_fine and is_own(path) and (is_listing(entry.name) or is_allowed(path))
+    if not is_fine:
+        effects = (*(one for one in effects if one is not Effect.READS), Effect.COMPUTES)
+    return [(entry.name, effects)], [entry.name] if len(path) >= WHOLE else []
 
 
-def _of_direct(command: DirectCommand) -> _Found:
-    operations = command.operations
-    requested = {GLOBAL: command.global_size, LOCAL: command.local_size}
-    effects_of, unknown = [], [] if operations and command.global_size <= _MOST_REPLIED else ["the frame"]
-    targets, files = _targets(operations), _files(operations)
-    waits = 0
+def _of_direct(command: DirectCommand, known: Known) -> _Found:
+    code = Code(command)
+    operations = code.operations
+    is_whole = bool(operations) and operations[-1].offset + operations[-1].length <= MAX_FRAME
+    effects_of, unknown = [], [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
+    counts: Counter[str] = Counter()
     for operation in operations:
-        effects, places = operation.declaration.effects, footprints(operation)
+        effects = operation.declaration.effects
         if Effect.READS in effects:
-            waits += Effect.WAITS in effects
-            if waits <= _MOST_WAITS and _only_reads(operation, places, requested, files):
+            row = reading_of(operation.full_name)
+            if row is not None and _is_one_of_few(row, counts) and only_reads(operation, row, code, known):
                 continue
             effects = (Effect.COMPUTES,)
         effects_of.append((operation.full_name, effects))
-        if _GROUPED.isdisjoint(effects) or not _is_bounded(operation, places, _GRANTED, targets):
+        if _GROUPED.isdisjoint(effects) or not is_bounded(operation, code, GRANTED):
             unknown.append(operation.full_name)
+    if operations and not effects_of and not command.wants_reply:
+        # Nothing would tell when it has ended, nor how long it keeps others waiting.
+        effects_of.append((f"{operations[0].full_name} without a reply", (Effect.COMPUTES,)))
     return effects_of, unknown
 
 
-def _only_reads(
-    operation: Operation, places: Sequence[Footprint], requested: _Memory, files: Container[object]
-) -> bool:
-    """Returns whether an operation that is declared as reading does nothing else with these arguments."""
-    return (
-        _is_bounded(operation, places, requested)
-        and all(_end(place) <= _GRANTED[place.argument.kind] for place in places)
-        and all(_is_expected(argument, files) for argument in operation.arguments)
-    )
-
-
-def _is_expected(argument: Argument, files: Container[object]) -> bool:
-    """Returns whether an argument is an output, a legal constant, or a variable that may have any value."""
-    parameter = argument.parameter
-    if argument.form.handle or argument.kind == JUMP:
-        return False
-    if parameter.is_output or parameter.stores:
-        return True
-    if parameter.type is Type.HANDLE:
-        return (argument.kind, argument.value) in files
-    if parameter.type is Type.STRING:
-        # The firmware never stops trying to open a forbidden name.
-        return argument.kind == TEXT and parameter.most == WHOLE and is_allowed(argument.raw[1:-1])
-    if argument.is_variable:
-        return parameter.range is None
-    domain = domain_of(parameter)
-    return argument.kind == CONSTANT and (domain is None or domain.covers(float(argument.value)))
-
-
-def _is_bounded(
-    operation: Operation, places: Sequence[Footprint], memory: _Memory, targets: Container[object] = ()
-) -> bool:
-    """Returns whether every brick reads an operation in the same way, and it writes and jumps only where it may."""
-    # Older firmware takes the arguments of an unknown CMD for operations. A count in a variable is its index when the
-    # firmware checks a command, and its value when it runs it.
-    declaration, cmd = operation.declaration, operation.cmd
-    texts = {one.length for one in declaration.parameters if one.is_output and one.type is Type.STRING}
-    if declaration.is_newer or (cmd is not None and (cmd.form.handle or cmd.form.address)):
-        return False
-    for argument in operation.arguments:
-        parameter, form, number = argument.parameter, argument.form, whole_number(argument)
-        if form.address or ((parameter.is_output or parameter.stores) and (form.handle or not argument.is_variable)):
-            return False
-        if parameter.role is Role.JUMP:
-            is_fine = (form.kind, number if number is None else operation.offset + operation.length + number) in targets
-            is_fine = (JUMP, argument.value) in targets if form.kind == JUMP else is_fine
-        elif declaration.tail is not None and parameter is declaration.tail.counter:
-            limits = limits_of(parameter)
-            is_fine = number is not None and limits is not None and 0 <= number <= limits.high
-        elif parameter.name in texts:
-            is_fine = number is not None and 0 < number <= _LONGEST_TEXT
-        elif parameter.role is Role.FORMAT:
-            is_fine = form.kind == TEXT and _FORMAT.fullmatch(str(argument.value)) is not None
-        else:
-            is_fine = form.kind != JUMP or parameter.role is Role.LABEL
-        if not is_fine:
-            return False
-    return all(_end(place) <= memory[place.argument.kind] for place in places if place.facts.is_written)
-
-
-def _end(place: Footprint) -> float:
-    """Returns the end of the memory that an operation may use through an argument."""
-    if place.most is not None:
-        return place.start + place.most
-    parameter = place.argument.parameter
-    if parameter.type is Type.ARRAY_TYPED and parameter.length is None:
-        return place.start + UNTYPED_SIZE
-    texts = [
-        one for one in place.operation.arguments if one.parameter.type is Type.STRING and not one.parameter.is_output
-    ]
-    if parameter.type is not Type.STRING or parameter.length is not None or any(one.kind != TEXT for one in texts):
-        return math.inf
-    return place.start + _NUMBER_TEXT + sum(one.length for one in texts)
-
-
-def _files(operations: Sequence[Operation]) -> frozenset[object]:
-    """Returns the variables into which a command writes handles."""
-    arguments = (argument for operation in operations for argument in operation.arguments)
-    return frozenset(
-        (one.kind, one.value) for one in arguments if one.parameter.type is Type.HANDLE and one.parameter.is_output
-    )
-
-
-def _targets(operations: Sequence[Operation]) -> frozenset[object]:
-    """Returns the allowed targets of jumps: the offsets of operations and of the end, and labels."""
-    arguments = (argument for operation in operations for argument in operation.arguments)
-    labels = {whole_number(one) for one in arguments if one.parameter.role is Role.LABEL}
-    return frozenset(
-        [(CONSTANT, at) for one in operations for at in (one.offset, one.offset + one.length)]
-        + [(JUMP, number) for number in range(1, LABELS) if number in labels]
-    )
+def _is_one_of_few(row: Reading, counts: Counter[str]) -> bool:
+    """Counts an operation. Returns whether a command may have that number of them."""
+    counts[row.names] += 1
+    return row.most is None or counts[row.names] <= row.most

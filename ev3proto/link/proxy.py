@@ -1,7 +1,7 @@
 """The proxy: looks like a WiFi brick to any program, forwards everything to another brick, and returns its replies.
 
 Clients connect to the port of a virtual brick (`ev3proto.brick.servers.wifi`); one is served at a time, others wait.
-Frames pass unchanged, counters included. One thread reads from the brick; everything else runs in one event loop.
+`relays` has what passes. One thread reads from the brick; everything else runs in one event loop.
 """
 
 from __future__ import annotations
@@ -12,33 +12,22 @@ import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TypeGuard
 
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import Ends, Line, ServerError
 from ev3proto.brick.servers.wifi import Wifi
 from ev3proto.capture.dialogues import RequestReply
-from ev3proto.capture.record import Record
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire
-from ev3proto.link.errors import ConnectionLostError, PortInUseError
-from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.errors import ConnectionLostError, LinkError, PortInUseError
 from ev3proto.link.masking import masked, masked_note, masked_opening
-from ev3proto.link.open_handles import OpenHandles
 from ev3proto.link.records import Records
-from ev3proto.link.refusals import refused
-from ev3proto.link.reply_stream import ReplyStream
-from ev3proto.messages import Message, SystemCommand
+from ev3proto.link.relays import Client, Guard, Passing, Sent
+from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon
-from ev3proto.schema.frame import parse
-from ev3proto.schema.frame_buffer import OutOfStep
-from ev3proto.semantics.pairing import Pairing, pairing_key
 from ev3proto.stream import Decoder, StreamError
-from ev3proto.system import close_filehandle
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
-from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 _CLIENT = "client"
 """The name of the one client in a recording."""
@@ -47,12 +36,8 @@ _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 """The ends of a connection in recordings without addresses."""
 
 _TURN = 0.1
-_MOST_WAITING = 1024
-
-_MOST_FILES = 16
-"""Maximum number of files that a client may have open with --read-only; the brick has 64 handles in all."""
-
-_NANOSECONDS = 1_000_000_000
+_MOST_ENDING, _ENDING = 2.0, 0.01
+"""Seconds in which open files and listings are ended when the proxy ends, and between two looks."""
 
 
 @dataclass(frozen=True)
@@ -89,20 +74,26 @@ class Proxy:
         show: Shown,
         say: Say,
         recording: Recording | None = None,
+        reopen: Callable[[], Wire] | None = None,
     ) -> None:
-        """Opens the port. Raises PortInUseError."""
+        """Opens the port. Raises PortInUseError.
+
+        `reopen` connects to the brick again, which `is_read_only` needs where a reply is lost.
+        """
         self.lost: ConnectionLostError | None = None  # why the connection to the brick is lost; None while it is open
         packets = None if recording is None else lambda: recording.packets
         if options.is_masked:
-            wire.label, peer = "the brick", "brick"
+            peer = "brick"
         self.records = Records(wire.carrier, peer, options.dialect, packets)
         self.say_once: Say = (lambda note: say(masked_note(note))) if options.is_masked else say
-        self._wire = wire
         self._options = options
+        self._wire = self._labelled(wire)
+        self._reopen = reopen
+        self._is_renewed = False
+        self._relay: Guard | Passing = Guard(self) if options.is_read_only else Passing(self)
         self._show = show
         self._recording = recording
-        self._client: _Client | None = None
-        self._pairing: Pairing[_Sent] = Pairing(_MOST_WAITING, give_up=self._unanswered)
+        self.client: Client | None = None  # the client that is served
         self._error: BaseException | None = None
         self._is_over = asyncio.Event()
         self._loop = asyncio.new_event_loop()
@@ -124,6 +115,7 @@ class Proxy:
             self._is_over.set()
             self._wire.stop()
             reader.join()
+            self._wire.close()
             self._loop.close()
         if self._error is not None:
             raise self._error
@@ -139,8 +131,11 @@ class Proxy:
             self._wifi.announce(lambda: Beacon(serial_number, str(self.port)), self._options.beacon_port)
         await self._is_over.wait()
         await self._wifi.close()
-        if self._client is not None:
-            self._client.close()
+        if self.client is not None:
+            self.gone(self.client)
+        ending = self._loop.time() + _MOST_ENDING
+        while not self._relay.is_idle and self.lost is None and self._loop.time() < ending:
+            await asyncio.sleep(_ENDING)
 
     def act(self, call: Callable[[], None]) -> None:
         """Makes a call in the event loop; an error ends the proxy."""
@@ -156,9 +151,9 @@ class Proxy:
 
     # The client
 
-    def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Client:
+    def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Session:
         """Begins to serve a client, and records the beginning of its connection."""
-        self._client = _Client(self, line, name, Decoder(strict=False, dialect=self._options.dialect))
+        client = self.client = Client(line, name, Decoder(strict=False, dialect=self._options.dialect))
         host, proxy = ends
         if self._options.is_masked:
             opening = [(masked_opening(text), is_host) for text, is_host in opening]
@@ -166,137 +161,110 @@ class Proxy:
         self._record(lambda recording: recording.opened(_CLIENT, Carrier(carrier), host, proxy))
         for text, is_from_host in opening:
             self._record(partial(_record_text, text, is_from_host))
-        return self._client
+        return _Session(self, client)
 
     def queued(self) -> None:
         """Does nothing: the waiting client notices it by itself."""
 
-    def forward(self, client: _Client, data: bytes) -> None:
+    def forward(self, client: Client, data: bytes) -> None:
         """Forwards what a client sends; bytes that are not frames end its connection."""
         # As it was sent, in part of a frame or several; names and PINs are found in whole frames only.
         if not self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, data, True))
         try:
             for message in client.decoder.feed(data):
-                self._to_brick(client, message)
+                self._take_up(client, message)
         except StreamError as error:
             client.line.drop()
             self._end(client, str(error))
 
-    def gone(self, client: _Client) -> None:
+    def gone(self, client: Client) -> None:
         """Ends the dialogue with a client that has disconnected."""
-        if client is self._client:
+        if client is self.client:
             left = client.decoder.pending
             fault = client.decoder.close() if left else None
             self._end(client, None if fault is None else fault.reason)
 
-    def _end(self, client: _Client, reason: str | None) -> None:
-        self._client = None
+    def _end(self, client: Client, reason: str | None) -> None:
+        self.client = None
         if reason is not None:
             self.say_once(f"{client.name} sent bytes that are not a frame: {reason}; disconnected")
         left = client.decoder.pending
         if left and self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
-        for sent in self._waiting(client):
-            self._show(RequestReply(sent.command, None))
         self._record(lambda recording: recording.closed(_CLIENT))
-        self._close_handles(client)
-
-    def _close_handles(self, client: _Client) -> None:
-        """Closes the files that a client leaves open: the brick has few handles for all clients."""
-        for handle in client.handles.take() if self._options.is_read_only else ():
-            self._wire.send(close_filehandle(handle, reply=False).build())
-            self.say_once(f"{client.name} left the handle {handle} open; it was closed")
+        self._relay.gone(client)
 
     def _masked(self, frame: bytes, request: bytes | None = None) -> bytes:
         return masked(frame, request, self._options.dialect) if self._options.is_masked else frame
 
-    def _to_brick(self, client: _Client, message: Message) -> None:
+    def _take_up(self, client: Client, message: Message) -> None:
         frame = message.build()
-        status = self._refusal(client, message, frame)
         shown = self._masked(frame)
         if self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, shown, True))
-        command = self.records.sent(shown)
-        if not message.wants_reply:
-            self._show(RequestReply(command, None))
-        sent = _Sent(client, command, frame)
-        if status is None:
-            if message.wants_reply:
-                self._pairing.remember(*pairing_key(frame), sent, self._now_ns())
-            client.handles.lend(message)
-            self._wire.send(frame)
-        elif (reply := refused(message, status)) is not None:
-            self._to_client(client, sent, reply)
-
-    def _refusal(self, client: _Client, message: Message, frame: bytes) -> SystemStatus | None:
-        """Reports why a message is not forwarded. Returns the status for a system command; None for others."""
-        if self._options.is_read_only and (harms := harms_of(message, handles=client.handles)):
-            reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
-            status = SystemStatus.NO_PERMISSION
-            if message.type is not None and not message.type.is_command:
-                reasons = f"{message.type.name} is not a command"
-            elif isinstance(message, SystemCommand) and set(harms) == {Harm.COMPUTING}:
-                reasons = f"{message.command} names a handle that this client has not opened, or is using"
-                status = SystemStatus.UNKNOWN_HANDLE
-            self.say_once(f"blocked by --read-only: {reasons}")
-            return status
-        if self._options.is_read_only and _begins(message) and self._files(client) >= _MOST_FILES:
-            self.say_once(f"blocked by --read-only: {message.command} opens more than {_MOST_FILES} files")
-            return SystemStatus.NO_HANDLES_AVAILABLE
-        if len(frame) > MAX_FRAME and self._wire.carrier is Carrier.USB:
-            self.say_once(
-                f"a frame of {len(frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send the"
-                " file in pieces"
-            )
-            return SystemStatus.SIZE_ERROR
-        return None
+        self._relay.forward(Sent(client, message, self.records.sent(shown), frame))
 
     # The brick
 
     def _read(self) -> None:
         """Reads from the brick, in a thread of its own."""
-        stream = ReplyStream(lambda _counter: True)
         try:
             while not self._is_over.is_set():
-                for part in stream.feed(self._wire.receive(_TURN)):
-                    self._loop.call_soon_threadsafe(self.act, partial(self._take, part))
+                if self._is_renewed:
+                    self._reconnect()
+                data = self._wire.receive(_TURN)
+                if data:
+                    self._loop.call_soon_threadsafe(self.act, partial(self._relay.heard, data))
         except ConnectionLostError as error:
             self._loop.call_soon_threadsafe(self.act, partial(_raise, error))
 
-    def _take(self, part: bytes | OutOfStep) -> None:
-        client = self._client
-        if isinstance(part, OutOfStep):
-            self.say_once(f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped")
-            return
-        answer = self._pairing.answered(*pairing_key(part), self._now_ns())
-        sent, note = (None, None) if answer is None else (answer.command, answer.note)
-        if sent is not None and sent.client is not client:
-            # The client that sent the command has disconnected.
-            sent.client.handles.learn(parse(part, strict=False))
-            self._close_handles(sent.client)
-        elif client is not None:
-            client.handles.learn(parse(part, strict=False))
-            self._to_client(client, sent, part, note)
+    def _reconnect(self) -> None:
+        self._is_renewed = False
+        assert self._reopen is not None
+        self._wire.close()
+        try:
+            self._wire = self._labelled(self._reopen())
+        except LinkError as error:
+            raise ConnectionLostError(str(error)) from None
+        self._loop.call_soon_threadsafe(self.act, self._relay.renewed)
 
-    def _waiting(self, client: _Client) -> list[_Sent]:
-        """Returns the commands of a client that wait for their reply."""
-        return [sent for sent in self._pairing.unanswered if sent.client is client]
+    def _labelled(self, wire: Wire) -> Wire:
+        if self._options.is_masked:
+            wire.label = "the brick"
+        return wire
 
-    def _files(self, client: _Client) -> int:
-        """Returns how many files of a client are open, or may be once the replies have come."""
-        asked = sum(isinstance(sent.command.message, SystemCommand) for sent in self._waiting(client))
-        return len(client.handles) + asked
+    # For the relay
 
-    def _unanswered(self, sent: _Sent) -> None:
-        """Shows a command that was given up; those of a disconnected client were shown."""
-        if sent.client is self._client:
-            self._show(RequestReply(sent.command, None))
+    @property
+    def carrier(self) -> Carrier:
+        """What carries frames to the brick."""
+        return self._wire.carrier
 
-    def _now_ns(self) -> int:
-        return round(self._loop.time() * _NANOSECONDS)
+    def send(self, frame: bytes) -> None:
+        """Sends a frame to the brick. Raises ConnectionLostError."""
+        self._wire.send(frame)
 
-    def _to_client(self, client: _Client, sent: _Sent | None, frame: bytes, note: str | None = None) -> None:
+    def renew(self) -> None:
+        """Makes the connection to the brick anew. Raises ConnectionLostError."""
+        if self._reopen is None:
+            raise ConnectionLostError(f"{self._wire.label} does not answer")
+        self._is_renewed = True
+
+    def later(self, seconds: float, call: Callable[[], None]) -> Callable[[], None]:
+        """Calls a function after a time. Returns a function that cancels it."""
+        return self._loop.call_later(seconds, self.act, call).cancel
+
+    def now(self) -> float:
+        """Returns the time in seconds."""
+        return self._loop.time()
+
+    def unanswered(self, sent: Sent) -> None:
+        """Shows a command that has no reply."""
+        self._show(RequestReply(sent.command, None))
+
+    def answer(self, sent: Sent | None, client: Client, frame: bytes, note: str | None = None) -> None:
+        """Sends a reply to a client, shows and records it, with a note on the pairing."""
         faults = self._options.faults
         command = None if sent is None else sent.command
         reply = faults.apply_to(frame)
@@ -323,42 +291,24 @@ class Proxy:
             self.say_once(f"recording ended: {error.strerror or error}")
 
 
-@dataclass(eq=False, slots=True)
-class _Sent:
-    """A command that waits for its reply."""
+class _Session:
+    """A client, as the port sees it."""
 
-    client: _Client  # its sender
-    command: Record  # as it is shown
-    frame: bytes  # as it was sent
-
-
-def _begins(message: Message) -> TypeGuard[SystemCommand]:
-    """Returns whether a message opens a file or a listing."""
-    entry = SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
-    return entry is not None and entry.transfer == "begin"
-
-
-class _Client:
-    """The client that is served."""
-
-    def __init__(self, proxy: Proxy, line: Line, name: str, decoder: Decoder) -> None:
-        self.line = line  # its connection
-        self.name = name  # its address and port
-        self.decoder = decoder  # what it sent
-        self.handles = OpenHandles()  # its open files on the brick
+    def __init__(self, proxy: Proxy, client: Client) -> None:
         self._proxy = proxy
+        self._client = client
 
     def feed(self, data: bytes) -> None:
         """Takes bytes from the client."""
-        self._proxy.act(lambda: self._proxy.forward(self, data))
+        self._proxy.act(lambda: self._proxy.forward(self._client, data))
 
     def throttle(self, is_throttled: bool) -> None:
         """Reads from the client only while it reads its replies."""
-        (self.line.pause if is_throttled else self.line.resume)()
+        self._client.hold("it reads nothing", is_throttled)
 
     def close(self) -> None:
         """Learns that the client has disconnected."""
-        self._proxy.act(lambda: self._proxy.gone(self))
+        self._proxy.act(lambda: self._proxy.gone(self._client))
 
 
 def _record_text(text: bytes, is_from_host: bool, recording: Recording) -> None:

@@ -1,20 +1,21 @@
 """The replay of a capture's commands: which are sent, in which form, and how the replies differ from the recorded ones.
 
-There is no I/O here: the caller sends the frames of `frame_for` and passes on the replies.
+There is no I/O here: the caller sends the frames that a talk yields, and passes on the replies.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 from itertools import chain
 
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Direction, Record
-from ev3proto.link.harm import Harm, harms_of
-from ev3proto.link.open_handles import OpenHandles
-from ev3proto.messages import Message, SystemReply
+from ev3proto.link.harm import Harm
+from ev3proto.link.policy import Outcome, Policy, Talk, conduct
+from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.replies import Value, values_of
@@ -36,7 +37,6 @@ class Step:
 
     command: Record  # as it was recorded
     reply: Record | None  # the recorded reply, None without one
-    harms: dict[Harm, str]  # the reasons to omit it, each with its operation; empty if it is sent
 
 
 class Likeness(Enum):
@@ -47,51 +47,68 @@ class Likeness(Enum):
     KIND = "otherwise"
 
 
-def steps(pairs: Iterable[RequestReply], allowed: frozenset[str]) -> list[Step]:
-    """Returns the commands of a capture in the order of sending; `allowed` may be sent besides reading."""
+def steps(pairs: Iterable[RequestReply]) -> list[Step]:
+    """Returns the commands of a capture in the order of sending."""
     sent = [
-        (command, reply)
+        Step(command, reply)
         for command, reply in pairs
         if command is not None and command.direction is not Direction.RECEIVED
     ]
-    found, handles = [], OpenHandles()
-    for command, reply in sorted(sent, key=lambda pair: (pair[0].time_ns, pair[0].number)):
-        harms = _harms(command.message, allowed, handles)
-        found.append(Step(command, reply, harms))
-        if reply is not None and not harms:
-            handles.learn(reply.message)
-    return found
+    return sorted(sent, key=lambda step: (step.command.time_ns, step.command.number))
 
 
-def _harms(message: Message, allowed: frozenset[str], handles: OpenHandles) -> dict[Harm, str]:
-    """Returns why a message is omitted; one of unknown type cannot be sent with a new counter at all."""
-    return {Harm.UNKNOWN: "the frame"} if message.type is None else harms_of(message, allowed, handles)
+def plan(found: Iterable[Step], allowed: frozenset[str]) -> Iterator[tuple[Step, Mapping[Harm, str]]]:
+    """Yields each step with the reasons to omit it, if the brick answers as recorded."""
+    replay = Replay(allowed, is_plan=True)
+    for step in found:
+        yield step, conduct(replay.talk(step), partial(_recorded, step)).harms
 
 
-class Handles:
-    """The brick's handles of open files: the recorded ones and the present ones."""
+def _recorded(step: Step, frame: bytes) -> bytes | None:
+    """Returns the recorded reply to a step; None for frames that the recorded program did not send."""
+    is_step = frame[HEADER_SIZE - 1 : HEADER_SIZE + 1] == step.command.frame[HEADER_SIZE - 1 : HEADER_SIZE + 1]
+    return step.reply.frame if is_step and step.reply is not None else None
 
-    def __init__(self) -> None:
-        self._now: dict[int, int] = {}
 
-    def frame_for(self, command: Record) -> bytes:
-        """Returns the frame of a recorded command, with the handle that the file has now."""
-        frame = command.frame
-        if _has_handle(command.message) and len(frame) > _HANDLE_AT:
-            handle = frame[_HANDLE_AT]
-            return frame[:_HANDLE_AT] + bytes((self._now.get(handle, handle),)) + frame[_HANDLE_AT + 1 :]
-        return frame
+class Replay:
+    """What is sent of a capture. This is decided as it is sent, by the replies of this brick."""
 
-    def learn(self, recorded: Record | None, reply: bytes) -> None:
-        """Takes a reply, and the recorded one: a file that both open may have another handle now."""
-        if recorded is None:
+    def __init__(self, allowed: frozenset[str], *, is_plan: bool = False) -> None:
+        """`allowed` may be sent besides reading; for a plan there is no brick."""
+        self._policy = Policy(allowed, is_plan=is_plan)
+        self._now: dict[int, int] = {}  # recorded handles, and those that this brick gave for them
+
+    def talk(self, step: Step) -> Talk:
+        """Sends a recorded command if it may be sent, with the handle that its file has now."""
+        message = step.command.message
+        if message.type is None:
+            # It cannot be sent with a new counter.
+            return Outcome({Harm.UNKNOWN: "the frame"})
+        recorded = _handle_of(message)
+        handle = None if recorded is None else self._now.get(recorded)
+        if handle is not None:
+            frame = step.command.frame
+            message = parse(frame[:_HANDLE_AT] + bytes((handle,)) + frame[_HANDLE_AT + 1 :], strict=False)
+        outcome = yield from self._policy.talk(message, is_own=handle in self._policy.transfers)
+        self._learn(step, outcome.reply)
+        return outcome
+
+    def leave(self) -> Talk:
+        """Ends what is still open."""
+        return self._policy.leave()
+
+    def _learn(self, step: Step, reply: bytes | None) -> None:
+        """Takes a reply: a file that this brick and the recorded one have opened may have another handle now."""
+        entry = SYSTEM_BY_NUMBER.get(getattr(step.command.message, "number", -1))
+        if step.reply is None or entry is None or entry.transfer != "begin":
             return
-        before, now = recorded.message, parse(reply, strict=False)
-        if isinstance(before, SystemReply) and isinstance(now, SystemReply):
-            was, is_now = before.fields.get(_HANDLE), now.fields.get(_HANDLE)
-            entry = SYSTEM_BY_NUMBER.get(now.number)
-            if entry is not None and entry.transfer == "begin" and isinstance(was, int) and isinstance(is_now, int):
-                self._now[was] = is_now
+        was, now = step.reply.message, None if reply is None else parse(reply, strict=False)
+        recorded = was.fields.get(_HANDLE) if isinstance(was, SystemReply) else None
+        handle = now.fields.get(_HANDLE) if isinstance(now, SystemReply) else None
+        if isinstance(recorded, int):
+            self._now.pop(recorded, None)
+            if isinstance(handle, int) and handle in self._policy.transfers:
+                self._now[recorded] = handle
 
 
 def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tuple[Likeness, str]:
@@ -119,10 +136,10 @@ def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tupl
     return Likeness.VALUES, f"recorded: {shown or 'other bytes'}{more}"
 
 
-def _has_handle(message: Message) -> bool:
-    entry = SYSTEM_BY_NUMBER.get(getattr(message, "number", -1))
-    is_command = message.type is not None and message.type.is_command and message.type.carries == "system"
-    return is_command and entry is not None and bool(entry.request) and entry.request[0].name == _HANDLE
+def _handle_of(message: Message) -> int | None:
+    """Returns the handle in a command."""
+    handle = message.fields.get(_HANDLE) if isinstance(message, SystemCommand) else None
+    return handle if isinstance(handle, int) else None
 
 
 def _outcome(message: Message) -> tuple[MessageType | None, int | None]:

@@ -207,7 +207,7 @@ MEMORY = (
                 ),
                 effects=(Effect.WRITES_FILES,),
             ),
-            Command(7, "CLOSE", "Closes a file and frees its handle", (FILE_HANDLE,), effects=(Effect.READS,)),
+            Command(7, "CLOSE", "Closes a file and frees its handle", (FILE_HANDLE,), effects=(Effect.COMPUTES,)),
             Command(
                 8,
                 "LOAD_IMAGE",

@@ -8,6 +8,12 @@ from typing import NamedTuple
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 
+HOME = (b"home", b"root", b"lms2012")
+"""The folder of the brick's own files."""
+
+CURRENT = (*HOME, b"sys")
+"""Where relative paths start."""
+
 WHOLE = int(CONSTANTS["FILENAMESIZE"])
 """Bytes of a whole path."""
 
@@ -64,3 +70,14 @@ def has_room(path: bytes) -> bool:
 def is_allowed(path: bytes) -> bool:
     """Returns whether all characters are allowed and nothing is too long."""
     return has_room(path) and ALLOWED.issuperset(path)
+
+
+def parts(path: bytes) -> list[bytes]:
+    """Returns the names in a path from the root folder, without `.` and `..`; none for an impossible path."""
+    found = [] if path.startswith(b"/") else list(CURRENT)
+    for part in path.split(b"/") if b"\0" not in path else ():
+        if part == b"..":
+            del found[-1:]
+        elif part not in (b"", b"."):
+            found.append(part)
+    return found if path else []

@@ -17,9 +17,11 @@ from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.words import Source
 from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.known import ASSUMED, NOTHING, Known
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.argument import encode_as
 from ev3proto.tables import OPCODES, operations
+from ev3proto.tables import reading as policy
 from ev3proto.tables import system as tables
 from ev3proto.tables.declaration import Effect, declarations
 from ev3proto.tables.system import SYSTEM
@@ -35,8 +37,8 @@ def command(*operations: Operation | bytes, globals_: int = 16, locals_: int = 1
     return len(body).to_bytes(2, "little") + body
 
 
-def harms(frame: bytes, *allowed: str, dialect: str = "official") -> set[Harm]:
-    return set(harms_of(ev3proto.parse(frame, strict=False, dialect=dialect), allowed))
+def harms(frame: bytes, *allowed: str, dialect: str = "official", known: Known = NOTHING) -> set[Harm]:
+    return set(harms_of(ev3proto.parse(frame, strict=False, dialect=dialect), allowed, known=known))
 
 
 # The list
@@ -49,13 +51,14 @@ READING = [
     operation("UI_BUTTON.PRESSED", 1, GV(0)),
     operation("INPUT_DEVICE_LIST", 4, GV(0), GV(4)),
     operation("INPUT_DEVICE.GET_NAME", 0, 2, 16, GV(0)),
-    operation("INPUT_DEVICE.READY_SI", 0, 1, 32, 3, [GV(0), GV(4)]),
+    operation("INPUT_DEVICE.READY_SI", 0, 1, 0, 3, [GV(0), GV(4)]),
     operation("INPUT_DEVICE.READY_RAW", 0, 16, 0, -1, [GV(0)]),
-    operation("INPUT_READ", 0, 0, 16, 0, GV(0)),
+    operation("INPUT_READ", 0, 0, 0, 0, GV(0)),
     operation("INPUT_READEXT", 0, 0, 0, -1, 16, [GV(0), GV(1)]),
     operation("OUTPUT_GET_COUNT", 0, 0, GV(0)),
     operation("OUTPUT_TEST", 0, 15, GV(0)),
     operation("COM_GET.GET_BRICKNAME", 16, GV(0)),
+    operation("FILE.OPEN_READ", "../prjs/a.txt", LV(0), LV(4)),
     operation("FILE.GET_FOLDERS", "../prjs/", GV(0)),
     operation("FILE.GET_SUBFOLDER_NAME", "../prjs/", 1, 16, GV(0)),
     operation("FILENAME.EXIST", "../prjs/a.rbf", GV(0)),
@@ -65,15 +68,7 @@ READING = [
     operation("WRITE8", 1, 15, GV(0)),
     operation("READ8", LV(0), 15, GV(0)),
     operation("INIT_BYTES", GV(0), 3, [1, 2, 3]),
-    # A client that ev3proto has a capture of gives the type as a variable, by mistake.
-    operation("INPUT_DEVICE.READY_RAW", 0, 2, GV(33), 0, [GV(0)]),
 ]
-
-
-def test_a_command_may_wait_for_a_sensor_sixteen_times() -> None:
-    ready = operation("INPUT_DEVICE.READY_RAW", 0, 0, 0, 0, [GV(0)])
-    assert harms(command(*[ready] * 16)) == set()
-    assert harms(command(*[ready] * 17)) == COMPUTING
 
 
 @each("reading", READING)
@@ -81,13 +76,69 @@ def test_reading_is_on_the_list(reading: Operation) -> None:
     assert harms(command(reading)) == set()
 
 
+# What depends on the brick
+
+
+READY = operation("INPUT_DEVICE.READY_RAW", 0, 0, 0, 0, [GV(0)])
+TOUCH, LARGE, MEDIUM, EMPTY = 16, 7, 8, 126
+
+
+def test_a_command_may_wait_for_a_sensor_eight_times() -> None:
+    assert harms(command(*[READY] * 8)) == set()
+    assert harms(command(*[READY] * 9)) == COMPUTING
+
+
+@pytest.mark.parametrize("number", [7, 8, 16, 29, 33])
+@pytest.mark.parametrize("name", ["INPUT_DEVICE.READY_SI", "INPUT_READSI", "INPUT_READEXT"])
+def test_a_type_has_to_be_the_one_that_the_brick_reports(name: str, number: int) -> None:
+    outputs = {"INPUT_DEVICE.READY_SI": ([GV(0)],), "INPUT_READSI": (GV(0),), "INPUT_READEXT": (18, [GV(0)])}
+    frame = command(operation(name, 0, 16, number, 0, *outputs[name]))
+    # An empty port stays empty, whatever type a command gives.
+    for found, expected in ((number, set()), (EMPTY, set()), (5, COMPUTING), (125, COMPUTING)):
+        assert harms(frame, known=Known({(0, 16): found})) == expected
+    assert harms(frame, known=Known({(0, 1): number})) == COMPUTING
+    assert harms(frame) == COMPUTING
+
+
+def test_a_type_in_a_variable_is_what_is_in_memory() -> None:
+    # A client that ev3proto has a capture of gives the type as a variable, by mistake.
+    ready = operation("INPUT_DEVICE.READY_RAW", 0, 2, GV(33), 0, [GV(0)])
+    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(34))) == set()
+    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(33) + b"\x21")) == set()
+    assert harms(command(ready), known=Known({(0, 2): 7}, memory=bytes(33) + b"\x21")) == COMPUTING
+    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(33))) == COMPUTING
+    local = operation("INPUT_DEVICE.READY_RAW", 0, 2, LV(4), 0, [GV(0)])
+    assert harms(command(local)) == set()
+    for writing in (operation("MOVE8_8", 7, LV(4)), operation("MOVE32_32", 7, LV(1)), operation("WRITE8", 7, 4, LV(0))):
+        assert harms(command(writing, local), known=Known({(0, 2): 7})) == COMPUTING
+
+
 def test_a_file_is_read_by_the_handle_of_its_command() -> None:
     opened = operation("FILE.OPEN_READ", "../prjs/a.txt", LV(0), LV(4))
     read_text = operation("FILE.READ_TEXT", LV(0), 0, 16, GV(0))
-    closed = operation("FILE.CLOSE", LV(0))
-    assert harms(command(opened, read_text, closed)) == set()
-    assert harms(command(read_text)) == COMPUTING
-    assert harms(command(operation("FILE.CLOSE", 0))) == COMPUTING
+    known = Known(files={b"../prjs/a.txt"})
+    assert harms(command(opened, read_text), known=known) == set()
+    for code in (
+        [read_text],
+        [read_text, opened],
+        [opened, operation("MOVE16_16", 0, LV(0)), read_text],
+        [opened, operation("MOVE8_8", 0, LV(1)), read_text],
+        [opened, operation("FILE.READ_TEXT", LV(2), 0, 16, GV(0))],
+        [opened, operation("FILE.READ_TEXT", 1, 0, 16, GV(0))],
+        [opened, read_text, operation("FILE.CLOSE", LV(0))],
+    ):
+        assert harms(command(*code), known=known) == COMPUTING
+    # The handle of a missing file is 0, which is the command's own memory.
+    assert harms(command(opened, read_text), known=NOTHING) == COMPUTING
+    assert harms(command(*[opened] * 8)) == set()
+    assert harms(command(*[opened] * 9)) == COMPUTING
+
+
+@each("reading", READING)
+def test_reading_wants_a_reply(reading: Operation) -> None:
+    frame = bytearray(command(reading))
+    frame[4] = 0x80
+    assert harms(bytes(frame)) == COMPUTING
 
 
 def sent_in(name: str) -> Iterator[Message]:
@@ -114,7 +165,7 @@ def test_the_reading_frames_of_clients_are_on_the_list(capture: str, least: int)
         and not {"UI_READ.GET_EVENT", "FILE.GET_ITEM"} & {one.full_name for one in message.operations}
     ]
     assert len(reading) >= least
-    assert [message for message in reading if harms_of(message)] == []
+    assert [message for message in reading if harms_of(message, known=ASSUMED)] == []
 
 
 def test_computing_is_all_that_the_conformance_capture_needs() -> None:
@@ -149,6 +200,16 @@ def test_what_reads_has_no_other_effect() -> None:
     found = {effect for effects in all_effects if Effect.READS in effects for effect in effects}
     assert found == {Effect.READS, Effect.VARIES, Effect.WAITS}
     assert not any(one.is_newer for one in operations().values() if Effect.READS in one.effects)
+
+
+def test_what_reads_has_a_reason() -> None:
+    names = [*(one.name for one in declarations(OPCODES)), *(one.name for one in SYSTEM)]
+    effects = [*(one.effects for one in declarations(OPCODES)), *(one.effects for one in SYSTEM)]
+    reading = [name for name, has in zip(names, effects, strict=True) if Effect.READS in has]
+    assert [name for name in reading if policy.reading_of(name) is None] == []
+    rows = [policy.reading_of(name) for name in reading]
+    assert [row.names for row in policy.READING if row not in rows] == []
+    assert [row.names for row in policy.READING if not row.reason.endswith(".") or row.reason.count(". ")] == []
 
 
 # Attacks
@@ -226,7 +287,15 @@ ATTACKS: dict[str, list[Operation | bytes]] = {
     "a wait for ever": [operation("INPUT_READY", 0, 3)],
     "a wait for a button": [operation("UI_BUTTON.WAIT_FOR_PRESS")],
     "a walk through all folders": [operation("FILENAME.TOTALSIZE", "/", GV(0), GV(4))],
-    "many waits": [operation("INPUT_DEVICE.READY_SI", 0, 3, 33, number % 2, [GV(0)]) for number in range(40)],
+    "many waits": [operation("INPUT_DEVICE.READY_SI", 0, 3, 0, number % 2, [GV(0)]) for number in range(40)],
+    "addresses over memory": [operation("COM_GET.GET_NETWORK", 3, 4, GV(0), GV(4), GV(8))],
+    "an address over memory": [operation("COM_GET.GET_NETWORK", 3, 4, LV(0), LV(12), GV(0))],
+    "a count of another brick": [operation("OUTPUT_GET_COUNT", 1, 0, GV(0))],
+    "memory that is freed": [operation("FILE.CLOSE", 0)],
+    "a device": [operation("FILE.OPEN_READ", "/dev/lms_pwm", LV(0), LV(4))],
+    "a file of processes": [operation("FILE.OPEN_READ", "../../../../proc/1/mem", LV(0), LV(4))],
+    "a folder of processes": [operation("FILE.GET_FOLDERS", "/proc", GV(0))],
+    "a path that is too long": [operation("FILENAME.EXIST", "../prjs/" + "a/" * 38 + "b", GV(0))],
     "a division by zero": [operation("MATH.MOD32", 1, 0, GV(0))],
     "sound": [operation("SOUND.TONE", 1, 440, 1)],
     "light": [operation("UI_WRITE.LED", 1)],
@@ -316,20 +385,72 @@ def test_files_are_read_by_those_who_opened_them() -> None:
     assert not harms_of(ev3proto.system.list_files("../prjs/"))
     assert not harms_of(ev3proto.system.begin_upload("../prjs/a.rbf"))
     assert not harms_of(ev3proto.system.list_open_handles())
-    for later in (
-        ev3proto.system.continue_upload(3),
-        ev3proto.system.continue_list_files(3),
-        ev3proto.system.continue_getfile(3),
-        ev3proto.system.close_filehandle(3),
+    begun = {3: "BEGIN_UPLOAD", 4: "BEGIN_GETFILE", 5: "LIST_FILES", 6: "BEGIN_DOWNLOAD"}
+    for later, own in (
+        (ev3proto.system.continue_upload, {3}),
+        (ev3proto.system.continue_getfile, {4}),
+        (ev3proto.system.continue_list_files, {5}),
+        # The firmware keeps a count where it would look for the descriptor of a listing.
+        (ev3proto.system.close_filehandle, {3, 4, 6}),
     ):
-        assert set(harms_of(later)) == COMPUTING
-        assert set(harms_of(later, handles={2})) == COMPUTING
-        assert not harms_of(later, handles={3})
+        for handle in range(64):
+            assert set(harms_of(later(handle), handles=begun)) == (set() if handle in own else COMPUTING)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ev3proto.system.list_files("../prjs/", reply=False),
+        ev3proto.system.begin_upload("../prjs/a.rbf", reply=False),
+        ev3proto.system.begin_getfile("../prjs/a.rbf", reply=False),
+        ev3proto.system.list_open_handles(reply=False),
+        ev3proto.system.close_filehandle(3, reply=False),
+    ],
+)
+def test_reading_files_wants_a_reply(command: SystemCommand) -> None:
+    assert set(harms_of(command, handles={3: "BEGIN_UPLOAD"})) == COMPUTING
+
+
+@pytest.mark.parametrize(
+    ("path", "is_read"),
+    [
+        ("../prjs/../prjs/everstorm", True),
+        ("/home/root/lms2012", True),
+        ("/home/root/lms2012/../lms2012/./prjs//a", True),
+        ("", False),
+        ("/", False),
+        ("..//../", False),
+        ("/proc/self/mem", False),
+        ("/dev/lms_pwm", False),
+        ("/home/root/lms2012/../../../dev/ttyS1", False),
+        ("../../../../../proc/cpuinfo", False),
+        ("/home/root/lms2012x/a", False),
+        ("/home/root/lms2012/prjs/" + "a/" * 38 + "b", False),
+        ("/home/root/lms2012/prjs/" + "a/" * 37 + "bb", True),
+        ("./" * 50 + "a", False),
+    ],
+)
+def test_paths_are_below_the_brick_s_own_folder(path: str, is_read: bool) -> None:
+    expected = set() if is_read else COMPUTING
+    assert set(harms_of(ev3proto.system.list_files(path))) == expected
+    if len(path) < 70:
+        assert set(harms_of(ev3proto.system.begin_upload(path))) == expected
+
+
+def test_a_name_that_leaves_an_error_behind() -> None:
+    assert not harms_of(ev3proto.system.list_files("../prjs/a*"))
+    assert set(harms_of(ev3proto.system.begin_upload("../prjs/a*.rbf"))) == COMPUTING
+    assert set(harms_of(ev3proto.system.begin_getfile("../prjs/a.abcd"))) == COMPUTING
 
 
 def test_a_path_that_the_brick_has_no_room_for() -> None:
-    assert set(harms_of(ev3proto.system.list_files("x" * 120))) == UNKNOWN
-    assert not harms_of(ev3proto.system.list_files("x" * 119))
+    assert set(harms_of(ev3proto.system.list_files("x" * 120))) >= UNKNOWN
+
+
+def test_a_frame_that_is_longer_than_a_report() -> None:
+    # CLOSE_FILEHANDLE of handle 3, with 1,100 bytes in place of a hash.
+    frame = (1105).to_bytes(2, "little") + bytes.fromhex("0000 01 98 03") + bytes(1100)
+    assert set(harms_of(ev3proto.parse(frame, strict=False), handles={3: "BEGIN_UPLOAD"})) == UNKNOWN
 
 
 @each("entry", [entry for entry in SYSTEM if Effect.READS not in entry.effects])

@@ -22,9 +22,10 @@ from ev3proto.link import questions
 from ev3proto.link.commands import Prepared, SyncMode, direct
 from ev3proto.link.errors import LinkError
 from ev3proto.link.harm import Harm, harms_of
-from ev3proto.link.open_handles import OpenHandles
+from ev3proto.link.known import NOTHING, Known
+from ev3proto.link.policy import Outcome, Policy, Talk
 from ev3proto.link.questions import Question
-from ev3proto.link.replay import Handles, Likeness, Step, compare, steps
+from ev3proto.link.replay import Likeness, Replay, Step, compare, plan, steps
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
 from ev3proto.ops import input_readsi
 from ev3proto.schema.frame import parse
@@ -96,6 +97,10 @@ class Job:
         return self.request.frame
 
 
+Done = Callable[[Outcome, Job | None, float, str], None]
+"""Takes the outcome of a talk, its last command, the milliseconds that it took, and the reason why it has no answer."""
+
+
 class RealBrick:
     """A connection to a brick. One command at a time is on its way.
 
@@ -117,7 +122,9 @@ class RealBrick:
         self._tell = tell
         # Other tabs and programs may see the same replies: their counters should differ.
         self._session = Session(random.randrange(COUNTERS))
-        self._handles = OpenHandles()
+        self._policy = Policy()
+        self._known, self._known_since = NOTHING, 0.0
+        self._left = 0
         self._jobs: deque[Job] = deque()
         self._now: Job | None = None
         self._late: Bounded[int, Job] = Bounded(MOST_LATE)
@@ -191,6 +198,7 @@ class RealBrick:
         self.is_open = False
         job, self._now = self._now, None
         self._jobs.clear()
+        self._left = 0
         self._watches = False
         if self._comparison is not None:
             self._comparison.end(reason)
@@ -200,7 +208,7 @@ class RealBrick:
 
     def _advance(self) -> None:
         """Sends commands until one waits for its reply."""
-        while self._now is None and self._jobs:
+        while self.is_open and self._now is None and self._jobs:
             job = self._jobs.popleft()
             try:
                 job.request = job.start(self._session)
@@ -242,35 +250,101 @@ class RealBrick:
                 }
             if self._carrier is Carrier.USB and len(frame) > MAX_FRAME:
                 return {"error": f"The frame has {len(frame)} bytes; USB carries {MAX_FRAME}."}
-        asks = [] if is_allowed else list(dict.fromkeys(ask for frame in frames for ask in _asks(frame, self._handles)))
+        asks = [] if is_allowed else list(dict.fromkeys(ask for frame in frames for ask in self._asks(frame)))
         if asks:
             return {"ask": asks}
         self._answers = []
-        # They do not wait for what is asked for every second.
-        jobs = [Job(_adopting(frame), self._answered, self._silent) for frame in frames]
-        self._jobs.extendleft(reversed(jobs))
+        self._left = len(frames)
         self._show([])
+        self._send_next(frames, is_allowed=is_allowed)
         self._advance()
         return {}
 
-    def _answered(self, job: Job, reply: bytes | None, latency: float) -> None:
-        command = command_spans(parse(job.frame, strict=False))
-        if reply is None:
-            self._show([command, [("sent; it wants no answer", Role.ASIDE)]])
-            return
-        self._handles.learn(parse(reply, strict=False))
-        late = "late, " if job.is_late else ""
-        self._show([command, [(f"answered {late}after {latency:.1f} ms:", Role.ASIDE)], *_tree(reply, job.frame)])
+    def _asks(self, frame: bytes) -> Iterator[str]:
+        """Yields what has to be allowed before a command is sent."""
+        report = check(frame)
+        if not report.accepted:
+            yield f"The brick refuses it, and may have to be restarted: {report.findings[0].message}."
+        is_recent = time.monotonic() - self._known_since < 2 * PERIOD
+        known = self._known if is_recent else NOTHING
+        message = parse(frame, strict=False)
+        for harm, name in harms_of(message, handles=self._policy.transfers, known=known).items():
+            yield f"{name} {harm.text}."
 
-    def _silent(self, job: Job, reason: str) -> None:
-        self._show([command_spans(parse(job.frame, strict=False)), [(reason, Role.FAULT)]])
+    def _send_next(self, frames: list[bytes], *, is_allowed: bool) -> None:
+        """Sends the first of some commands, and the others once it is answered."""
+        if not frames or not self.is_open:
+            return
+        frame, policy = frames[0], self._policy
+        message = parse(frame, strict=False)
+
+        def done(outcome: Outcome, job: Job | None, latency: float, reason: str) -> None:
+            self._left -= 1
+            self._answered(frame, outcome, job, latency, reason)
+            self._send_next(frames[1:], is_allowed=is_allowed)
+
+        self.converse(_unasked(frame, policy) if is_allowed else policy.talk(message), done, message.counter)
+
+    def converse(self, talk: Talk, done: Done, counter: int | None = None) -> None:
+        """Sends the frames of a talk.
+
+        Args:
+            talk: Yields the frames.
+            done: Takes the outcome, the last command with its milliseconds, and why it has no answer.
+            counter: Frames with this counter keep it, and none waits for what is asked for every second.
+        """
+        last: tuple[Job | None, float, str] = (None, 0.0, "")
+
+        def step(reply: bytes | None) -> None:
+            try:
+                frame = talk.send(reply)
+            except StopIteration as end:
+                done(end.value, *last)
+                return
+            is_kept = Header.read(frame).counter == counter
+            job = Job(_adopting(frame) if is_kept else _again(frame), answered, silent)
+            (self._jobs.append if counter is None else self._jobs.appendleft)(job)
+
+        def answered(job: Job, reply: bytes | None, latency: float) -> None:
+            nonlocal last
+            if job.is_late:
+                self._show_late(job, reply, latency)
+                return
+            last = job, latency, ""
+            step(reply)
+
+        def silent(job: Job, reason: str) -> None:
+            nonlocal last
+            last = job, 0.0, reason
+            step(None)
+
+        step(None)
+
+    def _answered(self, frame: bytes, outcome: Outcome, job: Job | None, latency: float, reason: str) -> None:
+        command = command_spans(parse(frame, strict=False))
+        if outcome.harms:
+            text = " ".join(f"{name} {harm.text}." for harm, name in outcome.harms.items())
+            self._show([command, [(f"not sent: {text}", Role.FAULT)]])
+        elif reason:
+            self._show([command, [(reason, Role.FAULT)]])
+        elif outcome.reply is None:
+            self._show([command, [("sent; it wants no answer", Role.ASIDE)]])
+        else:
+            sent = frame if job is None else job.frame
+            head: Spans = [(f"answered after {latency:.1f} ms:", Role.ASIDE)]
+            self._show([command, head, *_tree(outcome.reply, sent)])
+
+    def _show_late(self, job: Job, reply: bytes | None, latency: float) -> None:
+        if reply is not None:
+            head: Spans = [(f"answered late, after {latency:.1f} ms:", Role.ASIDE)]
+            self._show([command_spans(parse(job.frame, strict=False)), head, *_tree(reply, job.frame)])
 
     def _show(self, lines: list[Spans]) -> None:
         """Shows an answer below the ones before it."""
         if lines:
             self._answers = [*self._answers, lines][-MOST_ANSWERS:]
         shown = [[pieces(line) for line in answer] for answer in self._answers]
-        self._tell(json.dumps({"answers": shown, "isWaiting": bool(self._jobs or self._now)}))
+        self._tell(json.dumps({"answers": shown, "isWaiting": bool(self._left or self._jobs or self._now)}))
 
     # What is asked for every second
 
@@ -291,6 +365,9 @@ class RealBrick:
 
     def _ask_values(self, found: list[tuple[int, int]]) -> None:
         """Asks for the values of the devices that are plugged in."""
+        # Without devices of other bricks in a chain.
+        self._known = Known({(0, _PORTS[at]): kind for at, (kind, _) in enumerate(found)})
+        self._known_since = time.monotonic()
         plugged = [(at, kind, mode) for at, (kind, mode) in enumerate(found) if kind in _DEVICES]
         drafts = tuple(input_readsi(0, _PORTS[at], 0, _NO_CHANGE) for at, _, _ in plugged)
         if not drafts:
@@ -333,9 +410,9 @@ class RealBrick:
         """
         allowed = frozenset({Harm.COMPUTING} if computes else ())
         events = read(CaptureFile(io.BytesIO(capture))).events()
-        found = [step for step in steps(dialogues(events), allowed) if not step.harms]
+        found = [step for step, harms in plan(steps(dialogues(events)), allowed) if not harms]
         self._ask(questions.SYSTEM, lambda system: self._know(firmware=system.fw_version))
-        self._comparison = Comparison(self, found, self._carrier)
+        self._comparison = Comparison(self, found, self._carrier, allowed)
         self._comparison.next()
         self._advance()
 
@@ -343,10 +420,6 @@ class RealBrick:
         """Ends a comparison early."""
         if self._comparison is not None:
             self._comparison.end("cancelled")
-
-    def put(self, job: Job) -> None:
-        """Takes a command of a comparison."""
-        self._jobs.append(job)
 
     def tell(self, **news: Any) -> None:
         """Tells the page."""
@@ -361,48 +434,38 @@ class RealBrick:
 class Comparison:
     """The commands of a capture, sent again one after the other, and the answers that differ."""
 
-    def __init__(self, brick: RealBrick, found: list[Step], carrier: Carrier) -> None:
+    def __init__(self, brick: RealBrick, found: list[Step], carrier: Carrier, allowed: frozenset[str]) -> None:
         self._brick = brick
         self._steps = found
         self._carrier = carrier
-        self._handles = Handles()
-        self._at = 0
+        self._replay = Replay(allowed)
+        self._at = self._sent = 0
         self._silent = 0
         self._differences: list[dict[str, Any]] = []
         self._is_over = False
 
     def next(self) -> None:
-        """Sends the next command."""
+        """Sends the next command, unless it turns out to do more than read."""
         if self._is_over:
             return
         if self._at == len(self._steps):
-            self.end("")
+            self._brick.converse(self._replay.leave(), lambda *_: self.end(""))
             return
-        step = self._steps[self._at]
-        frame = self._handles.frame_for(step.command)
-        kind = MessageType(Header.read(frame).type)
-        self._brick.put(
-            Job(lambda session: session.command(kind, frame[HEADER_SIZE:]), self._answered, self._unanswered)
-        )
         if self._at % 10 == 0:
             self._brick.tell(comparing={"done": self._at, "count": len(self._steps)})
+        self._brick.converse(self._replay.talk(self._steps[self._at]), self._take)
 
-    def _answered(self, job: Job, reply: bytes | None, _: float) -> None:
-        if not job.is_late:
-            self._silent = 0
-            self._take(job.frame, reply)
-
-    def _unanswered(self, job: Job, _: str) -> None:
-        self._silent += 1
-        self._take(job.frame, None)
-
-    def _take(self, frame: bytes, reply: bytes | None) -> None:
+    def _take(self, outcome: Outcome, job: Job | None, _: float, reason: str) -> None:
         if self._is_over:
             return
         step = self._steps[self._at]
         self._at += 1
-        if reply is not None:
-            self._handles.learn(step.reply, reply)
+        if outcome.harms:
+            self.next()
+            return
+        self._sent += 1
+        self._silent = self._silent + 1 if reason else 0
+        frame, reply = step.command.frame if job is None else job.frame, outcome.reply
         likeness, difference = compare(step, frame, reply, DIALECT)
         if likeness is not Likeness.SAME:
             self._differences.append(
@@ -424,14 +487,14 @@ class Comparison:
         if self._is_over:
             return
         self._is_over = True
-        text = f"{len(self._differences)} of {self._at} answers differ"
+        text = f"{len(self._differences)} of {self._sent} answers differ"
         self._brick.tell(
             comparison={
                 "ev3proto": VERSION,
                 "carrier": str(self._carrier),
                 "firmware": self._brick.firmware,
                 "result": f"{text}; ended early: {reason}" if reason else text,
-                "answers": self._at,
+                "answers": self._sent,
                 "differ": len(self._differences),
                 "differences": self._differences,
             }
@@ -445,16 +508,20 @@ _TYPES_AND_MODES = Question(
 
 
 def _adopting(frame: bytes) -> Callable[[Session], Request]:
+    """Returns the start of a command with its own counter."""
     return lambda session: session.adopt(frame)
 
 
-def _asks(frame: bytes, handles: OpenHandles) -> Iterator[str]:
-    """Yields what has to be allowed before a command is sent."""
-    report = check(frame)
-    if not report.accepted:
-        yield f"The brick refuses it, and may have to be restarted: {report.findings[0].message}."
-    for harm, name in harms_of(parse(frame, strict=False), handles=handles).items():
-        yield f"{name} {harm.text}."
+def _again(frame: bytes) -> Callable[[Session], Request]:
+    """Returns the start of a command with a new counter."""
+    return lambda session: session.command(MessageType(Header.read(frame).type), frame[HEADER_SIZE:])
+
+
+def _unasked(frame: bytes, policy: Policy) -> Talk:
+    """Sends a frame that the user has allowed."""
+    reply = yield frame
+    policy.transfers.learn(parse(frame, strict=False), None if reply is None else parse(reply, strict=False))
+    return Outcome({}, frame, reply)
 
 
 def _tree(reply: bytes, command: bytes | None) -> list[Spans]:

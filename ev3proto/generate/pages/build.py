@@ -11,6 +11,7 @@ from ev3proto.generate.pages import (
     numbers,
     operations,
     python_api,
+    read_only,
     system_commands,
 )
 from ev3proto.generate.pages.markdown import page
@@ -30,6 +31,7 @@ def build() -> dict[str, str]:
         "checker-codes.md": page("What check finds", checker_codes.blocks()),
         "filters.md": page("Filters", filters.blocks()),
         "numbers.md": page("Numbers and names", numbers.blocks()),
+        "read-only.md": page("What only reads", read_only.blocks()),
         "python.md": page("The Python API", python_api.blocks()),
     }
     return {f"{FOLDER}/{name}": text for name, text in pages.items()}

@@ -15,6 +15,7 @@ OTHERS = {
     "numbers.md": "Everything by number and by name",
     "checker-codes.md": "What `check` finds: all codes with examples",
     "filters.md": "Filters: all that `--filter` can ask for",
+    "read-only.md": "What only reads: the list of `proxy --read-only` and `replay`",
     "command-line.md": "The command line",
     "python.md": "The Python API",
 }

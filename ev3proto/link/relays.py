@@ -1,0 +1,261 @@
+"""The two ways of a proxy to pass commands on: everything at once, or what reads, one command at a time."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from ev3proto.brick.servers.host import Line
+from ev3proto.capture.record import Record
+from ev3proto.link.harm import Harm
+from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk
+from ev3proto.link.refusals import refused
+from ev3proto.link.reply_stream import ReplyStream
+from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
+from ev3proto.messages import Message, SystemCommand
+from ev3proto.schema.frame_buffer import OutOfStep
+from ev3proto.semantics.pairing import Pairing, pairing_key
+from ev3proto.stream import Decoder
+from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.system import SystemStatus
+
+_MOST_WAITING = 1024
+
+_NANOSECONDS = 1_000_000_000
+
+
+@dataclass(eq=False, slots=True)
+class Sent:
+    """A command of a client."""
+
+    client: Client  # its sender
+    message: Message
+    command: Record  # as it is shown
+    frame: bytes  # as it was sent
+
+
+class Owner(Protocol):
+    """The proxy, as its relay sees it."""
+
+    client: Client | None  # the client that is served
+
+    @property
+    def carrier(self) -> Carrier:
+        """What carries frames to the brick."""
+
+    def send(self, frame: bytes) -> None:
+        """Sends a frame to the brick. Raises ConnectionLostError."""
+
+    def answer(self, sent: Sent | None, client: Client, frame: bytes, note: str | None = None) -> None:
+        """Sends a reply to a client, shows and records it, with a note on the pairing."""
+
+    def unanswered(self, sent: Sent) -> None:
+        """Shows a command that has no reply."""
+
+    def say_once(self, sentence: str) -> None:
+        """Reports a message to the user of the proxy."""
+
+    def renew(self) -> None:
+        """Makes the connection to the brick anew, and calls `renewed` of the relay. Raises ConnectionLostError."""
+
+    def later(self, seconds: float, call: Callable[[], None]) -> Callable[[], None]:
+        """Calls a function after a time. Returns a function that cancels it."""
+
+    def now(self) -> float:
+        """Returns the time in seconds."""
+
+
+class Client:
+    """The client that is served."""
+
+    def __init__(self, line: Line, name: str, decoder: Decoder) -> None:
+        self.line = line  # its connection
+        self.name = name  # its address and port
+        self.decoder = decoder  # what it sent
+        self.waiting: deque[Sent] = deque()  # its commands that `Guard` has not done yet, oldest first
+        self._reasons: set[str] = set()
+
+    def hold(self, reason: str, is_held: bool) -> None:
+        """Reads from the client only while there is no reason against it."""
+        (self._reasons.add if is_held else self._reasons.discard)(reason)
+        (self.line.pause if self._reasons else self.line.resume)()
+
+
+class Passing:
+    """Passes everything on at once, unchanged, counters included."""
+
+    is_idle = True  # nothing has to be done before the end
+
+    def __init__(self, owner: Owner) -> None:
+        self._owner = owner
+        self._pairing: Pairing[Sent] = Pairing(_MOST_WAITING, give_up=self._give_up)
+        self._stream = ReplyStream(lambda _counter: True)
+
+    def forward(self, sent: Sent) -> None:
+        """Sends a command of the client to the brick."""
+        owner = self._owner
+        if not sent.message.wants_reply:
+            owner.unanswered(sent)
+        if len(sent.frame) > MAX_FRAME and owner.carrier is Carrier.USB:
+            owner.say_once(
+                f"a frame of {len(sent.frame)} bytes was not sent: on USB a frame has at most {MAX_FRAME} bytes; send"
+                " the file in pieces"
+            )
+            reply = refused(sent.message, SystemStatus.SIZE_ERROR)
+            if reply is not None:
+                owner.answer(sent, sent.client, reply)
+            return
+        if sent.message.wants_reply:
+            self._pairing.remember(*pairing_key(sent.frame), sent, self._now_ns())
+        owner.send(sent.frame)
+
+    def heard(self, data: bytes) -> None:
+        """Takes bytes from the brick."""
+        for part in self._stream.feed(data):
+            client = self._owner.client
+            if isinstance(part, OutOfStep):
+                self._owner.say_once(_dropped(part))
+                continue
+            answer = self._pairing.answered(*pairing_key(part), self._now_ns())
+            sent, note = (None, None) if answer is None else (answer.command, answer.note)
+            # Replies to a client that has disconnected are withheld from the next one.
+            if client is not None and (sent is None or sent.client is client):
+                self._owner.answer(sent, client, part, note)
+
+    def gone(self, client: Client) -> None:
+        """Shows the commands of a client that has disconnected."""
+        for sent in self._pairing.unanswered:
+            if sent.client is client:
+                self._owner.unanswered(sent)
+
+    def renewed(self) -> None:
+        """Learns that the connection to the brick is a new one."""
+
+    def _give_up(self, sent: Sent) -> None:
+        """Shows a command that was given up; those of a disconnected client were shown."""
+        if sent.client is self._owner.client:
+            self._owner.unanswered(sent)
+
+    def _now_ns(self) -> int:
+        return round(self._owner.now() * _NANOSECONDS)
+
+
+def _dropped(part: OutOfStep) -> str:
+    return f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped"
+
+
+class Guard:
+    """Passes on what reads, one command at a time; what a client leaves behind is ended before the next is served."""
+
+    def __init__(self, owner: Owner) -> None:
+        self._owner = owner
+        self._policy = Policy()
+        self._session = Session()
+        self._talk: Talk | None = None
+        self._sent: Sent | None = None
+        self._request: Request | None = None
+        self._cancel: Callable[[], None] = lambda: None
+        self._gone: str | None = None
+        self._left: list[str] = []
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing is under way, and nothing has to be closed."""
+        return self._talk is None and self._gone is None
+
+    def forward(self, sent: Sent) -> None:
+        """Queues a command of the client."""
+        sent.client.waiting.append(sent)
+        self._next()
+
+    def heard(self, data: bytes) -> None:
+        """Takes bytes from the brick."""
+        client = self._owner.client
+        for event in self._session.feed(data):
+            if isinstance(event, OutOfStep):
+                self._owner.say_once(_dropped(event))
+            elif isinstance(event, Answered) and event.request is self._request:
+                self._cancel()
+                self._step(event.frame)
+            elif isinstance(event, Stray) and event.oddity is Oddity.UNASKED and client is not None:
+                self._owner.answer(None, client, event.frame)
+        self._next()
+
+    def gone(self, client: Client) -> None:
+        """Ends what a client has begun, once its command under way is answered."""
+        for sent in client.waiting:
+            self._owner.unanswered(sent)
+        client.waiting.clear()
+        self._gone = client.name
+        self._next()
+
+    def renewed(self) -> None:
+        """Learns that the connection to the brick is a new one."""
+        self._session = Session()
+        self._step(None)
+        self._policy.forget()
+        self._next()
+
+    def _next(self) -> None:
+        """Begins with the next command if none is under way."""
+        client = self._owner.client
+        while self._talk is None and (self._gone is not None or (client is not None and client.waiting)):
+            if self._gone is not None:
+                self._left = [
+                    f"{self._gone} left the handle {each} open; it was closed" for each in self._policy.transfers
+                ]
+                self._talk, self._gone = self._policy.leave(), None
+            elif client is not None:
+                self._sent = client.waiting[0]
+                self._talk = self._policy.talk(self._sent.message)
+            self._step(None)
+        if client is not None:
+            client.hold("a command is under way", self._talk is not None)
+
+    def _step(self, reply: bytes | None) -> None:
+        """Continues with a reply, until the next frame is sent to the brick."""
+        assert self._talk is not None
+        self._request = None
+        try:
+            frame = self._talk.send(reply)
+        except StopIteration as end:
+            sent, self._sent, self._talk = self._sent, None, None
+            if sent is not None and sent in sent.client.waiting:
+                sent.client.waiting.remove(sent)
+                self._done(sent, end.value)
+            while sent is None and self._left:
+                self._owner.say_once(self._left.pop())
+            return
+        # With its own counter: no other command waits.
+        self._request = self._session.adopt(frame)
+        self._cancel = self._owner.later(PATIENCE, self._late)
+        self._owner.send(self._request.frame)
+
+    def _done(self, sent: Sent, outcome: Outcome) -> None:
+        """Answers a client's command."""
+        reply = outcome.reply
+        if outcome.harms:
+            reply = self._refused(sent.message, outcome.harms)
+        if reply is None or not sent.message.wants_reply:
+            self._owner.unanswered(sent)
+        else:
+            self._owner.answer(sent, sent.client, reply)
+
+    def _refused(self, message: Message, harms: Mapping[Harm, str]) -> bytes | None:
+        reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())
+        status = SystemStatus.NO_PERMISSION
+        if message.type is not None and not message.type.is_command:
+            reasons = f"{message.type.name} is not a command"
+        elif isinstance(message, SystemCommand) and "handle" in message.fields and set(harms) == {Harm.COMPUTING}:
+            reasons = f"{message.command} names a handle that this client has not opened"
+            status = SystemStatus.UNKNOWN_HANDLE
+        self._owner.say_once(f"blocked by --read-only: {reasons}")
+        return refused(message, status)
+
+    def _late(self) -> None:
+        self._request = None
+        self._owner.say_once(f"no answer from the brick within {PATIENCE:g} s; the connection to it is made anew")
+        self._owner.renew()

@@ -1,0 +1,330 @@
+"""Attacks on the policy of `proxy --read-only`, end to end: what a client might try, and what the brick gets of it."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from support.cases import each
+from support.cli import ROOT, run_ev3proto_text
+from support.relays import Relay, relay
+from support.server import Client, Served, served, system, until
+from support.stub_brick import reply, stub_brick
+
+import ev3proto
+from ev3proto import GV, LV, Operation, operation
+from ev3proto.brick.servers.server import Options
+
+BEGIN_DOWNLOAD, BEGIN_UPLOAD, CONTINUE_UPLOAD, CLOSE, LIST, CONTINUE_LIST = 0x92, 0x94, 0x95, 0x98, 0x99, 0x9A
+BATTERY = ev3proto.command(operation("UI_READ.GET_LBATT", GV(0)), counter=0x777).build()
+
+
+def direct(*operations: Operation, counter: int = 7) -> bytes:
+    return ev3proto.command(*operations, counter=counter, reply=True).build()
+
+
+def begin(path: str = "../prjs/x.rtf", size: int = 10, number: int = BEGIN_UPLOAD) -> bytes:
+    return system(number, size.to_bytes(2, "little") + path.encode() + b"\0")
+
+
+@contextlib.contextmanager
+def guarded(folder: Path) -> Iterator[tuple[Served, Relay]]:
+    """Serves a brick with a file of 3,000 bytes, and a proxy before it."""
+    (folder / "prjs").mkdir(exist_ok=True)
+    (folder / "prjs/x.rtf").write_bytes(bytes(3000))
+    with (
+        served(folder, Options(port=0, beacon=False, clients=3)) as brick,
+        relay(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found,
+    ):
+        yield brick, found
+
+
+class Stub:
+    """A brick that answers as told, and what it got."""
+
+    def __init__(self, answer: Callable[[bytes], bytes | None]) -> None:
+        self.got: list[bytes] = []
+        self._answer = answer
+
+    def __call__(self, frame: bytes, send: Callable[[bytes], None]) -> None:
+        self.got.append(frame)
+        answer = self._answer(frame)
+        if answer:
+            send(answer)
+
+    @property
+    def commands(self) -> list[int]:
+        """The numbers of the system commands that it got."""
+        return [frame[5] for frame in self.got if frame[4] & 0x7F == 1]
+
+
+@contextlib.contextmanager
+def before(answer: Callable[[bytes], bytes | None]) -> Iterator[tuple[Stub, Relay]]:
+    stub = Stub(answer)
+    with stub_brick(stub) as port, relay(f"wifi:127.0.0.1:{port}", is_read_only=True) as found:
+        yield stub, found
+
+
+def answered(frame: bytes, *body: int, type: int = 3) -> bytes:
+    """Returns the reply to a system command."""
+    return reply(frame, bytes((frame[5], *body)), type)
+
+
+# 1 to 5: what operations do
+
+
+def test_a_foreign_type_does_not_reset_a_motor(tmp_path: Path) -> None:
+    with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client:
+        brick.now.brick.plug("A", 7, tacho=1234, count=370, speed=0)
+        count = direct(operation("OUTPUT_GET_COUNT", 0, 0, GV(0)))
+        for number in (8, 16, 29, 33, 125):
+            for name, outputs in (("INPUT_READSI", (GV(0),)), ("INPUT_DEVICE.READY_SI", ([GV(0)],))):
+                assert client.ask(direct(operation(name, 0, 16, number, 0, *outputs)))[4] == 4
+        assert client.ask(count)[5:] == (370).to_bytes(4, "little")
+        own = client.ask(direct(operation("INPUT_DEVICE.READY_RAW", 0, 16, 7, 0, [GV(0)])))
+        assert (own[4], own[5:]) == (2, (370).to_bytes(4, "little"))
+
+
+def test_a_type_that_memory_holds_does_not_reset_a_motor(tmp_path: Path) -> None:
+    with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client:
+        brick.now.brick.plug("A", 7, tacho=1234, count=370, speed=0)
+        # A client that is not the proxy's puts the type of the other motor into the brick's memory.
+        with Client(brick.port) as other:
+            assert other.ask(direct(operation("MOVE8_8", 8, GV(33))))[4] == 2
+        ready = operation("INPUT_DEVICE.READY_RAW", 0, 16, GV(33), 0, [GV(0)])
+        assert client.ask(direct(ready))[4] == 4
+        assert (
+            client.ask(direct(operation("MOVE8_8", 8, LV(0)), operation("INPUT_READSI", 0, 16, LV(0), 0, GV(0))))[4]
+            == 4
+        )
+        with Client(brick.port) as other:
+            assert other.ask(direct(operation("MOVE8_8", 7, GV(33))))[4] == 2
+        assert client.ask(direct(ready))[5:9] == (370).to_bytes(4, "little")
+
+
+def test_questions_leave_the_memory_of_earlier_commands_alone(tmp_path: Path) -> None:
+    with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client:
+        brick.now.brick.plug(1, 16)
+        written = client.ask(direct(operation("INIT_BYTES", GV(0), 9, list(range(1, 10)))))
+        ready = operation("INPUT_DEVICE.READY_RAW", 0, 0, 16, 0, [GV(0)])
+        assert client.ask(direct(ready))[4] == 2
+        left = client.ask(ev3proto.command(operation("NOP"), counter=7, reply=True, global_size=9).build())
+        assert left[9:] == written[9:]
+
+
+ATTACKS = {
+    "nine waits": [operation("INPUT_DEVICE.READY_RAW", 0, port, 0, 0, [GV(0)]) for port in (0, 1, 2, 3) * 2 + (0,)],
+    "addresses over memory": [operation("COM_GET.GET_NETWORK", 3, 1, GV(0), GV(1), GV(2))],
+    "the memory of the program is freed": [
+        operation("FILE.OPEN_READ", "../prjs/none.rtf", LV(0), LV(4)),
+        operation("FILE.CLOSE", LV(0)),
+    ],
+    "a missing file is read": [
+        operation("FILE.OPEN_READ", "../prjs/none.rtf", LV(0), LV(4)),
+        operation("FILE.READ_BYTES", LV(0), 4, GV(0)),
+    ],
+    "the handle is written over": [
+        operation("FILE.OPEN_READ", "../prjs/x.rtf", LV(0), LV(4)),
+        operation("MOVE16_16", 0, LV(0)),
+        operation("FILE.READ_BYTES", LV(0), 4, GV(0)),
+    ],
+    "a device is opened": [operation("FILE.OPEN_READ", "/dev/lms_pwm", LV(0), LV(4))],
+}
+
+
+@each("attack", ATTACKS)
+def test_operations(attack: str, tmp_path: Path) -> None:
+    with guarded(tmp_path) as (_, found), Client(found.proxy.port) as client:
+        assert client.ask(direct(*ATTACKS[attack]))[4] == 4
+
+
+def test_a_file_is_read_in_one_command(tmp_path: Path) -> None:
+    with guarded(tmp_path) as (_, found), Client(found.proxy.port) as client:
+        (tmp_path / "prjs/x.rtf").write_bytes(b"hello")
+        opened = operation("FILE.OPEN_READ", "../prjs/x.rtf", LV(0), LV(4))
+        assert client.ask(direct(opened, operation("FILE.READ_BYTES", LV(0), 5, GV(0))))[4:] == b"\2hello"
+
+
+# 6 to 10: handles, and commands in flight
+
+
+def test_handles_are_not_taken_for_good(tmp_path: Path) -> None:
+    with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client, Client(brick.port) as other:
+        silent = bytearray(begin())
+        silent[4] = 0x81
+        client.send(bytes(silent) * 64)
+        assert client.ask(BATTERY)[4] == 2
+        assert len(set(found.said)) == 1
+        assert other.ask(begin())[11] == 0
+
+
+def test_one_command_is_in_flight() -> None:
+    waiting: list[bytes] = []
+    with before(lambda frame: waiting.append(frame)) as (stub, found), Client(found.proxy.port) as client:
+        client.send(BATTERY * 50)
+        until(lambda: len(stub.got) == 1)
+        time.sleep(0.2)
+        assert stub.got == [BATTERY]
+
+
+def test_a_client_that_waits_is_not_read() -> None:
+    with before(lambda frame: None) as (stub, found), Client(found.proxy.port) as client:
+        client.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1 << 16)
+        client.send(BATTERY)
+        until(lambda: len(stub.got) == 1)
+        client.socket.settimeout(0.5)
+        with pytest.raises(TimeoutError):
+            client.send(BATTERY * 2_000_000)
+        assert stub.got == [BATTERY]
+
+
+def test_a_listing_is_neither_read_as_a_file_nor_closed(tmp_path: Path) -> None:
+    commands: list[int] = []
+
+    def listing(frame: bytes) -> bytes:
+        if frame[5] == LIST:
+            return answered(frame, 0, 9, 0, 0, 0, 5, *b"./\n")
+        commands.append(frame[5])
+        return answered(frame, 0 if len(commands) < 3 else 8, 5, *b"../")
+
+    with before(listing) as (stub, found), Client(found.proxy.port) as client:
+        assert client.ask(begin("../prjs/", 3, LIST))[6] == 0
+        assert client.ask(system(CONTINUE_UPLOAD, b"\5\x0a\0"))[6] == 1
+        # The proxy reads it to its end, and answers itself.
+        assert client.ask(system(CLOSE, b"\5"))[4:] == bytes.fromhex("03 98 00 05")
+        assert stub.commands == [LIST, CONTINUE_LIST, CONTINUE_LIST, CONTINUE_LIST]
+
+
+def test_a_listing_that_is_left_is_read_to_its_end() -> None:
+    count = 0
+
+    def listing(frame: bytes) -> bytes | None:
+        nonlocal count
+        if frame[4] == 0:
+            return reply(frame, b"\x64")
+        if frame[5] == LIST:
+            return answered(frame, 0, 9, 0, 0, 0, 5, *b"./\n")
+        count += 1
+        return answered(frame, 0 if count < 4 else 8, 5, *b"../")
+
+    with before(listing) as (stub, found):
+        with Client(found.proxy.port) as client:
+            assert client.ask(begin("../prjs/", 3, LIST))[6] == 0
+        with Client(found.proxy.port) as client:
+            assert client.ask(BATTERY)[5:] == b"\x64"
+        assert stub.commands == [LIST, *[CONTINUE_LIST] * 4]
+        assert stub.got[-1] == BATTERY
+
+
+def test_a_handle_is_one_of_an_own_reply(tmp_path: Path) -> None:
+    def mixed(frame: bytes) -> bytes:
+        # Replies to another program, with another counter and to another command, come first.
+        other = bytearray(answered(frame, 0, 9, 0, 0, 0, 33))
+        other[2] ^= 1
+        strange = reply(frame, bytes((BEGIN_DOWNLOAD, 0, 34)), 3)
+        return bytes(other) + strange + answered(frame, 0, 9, 0, 0, 0, 7)
+
+    with before(mixed) as (stub, found), Client(found.proxy.port) as client:
+        assert client.ask(begin())[11] == 7
+        for handle in (33, 34):
+            assert client.ask(system(CLOSE, bytes((handle,))))[6] == 1
+        assert stub.commands == [BEGIN_UPLOAD]
+
+
+# 11 and 12: paths and sizes
+
+
+def test_paths() -> None:
+    with before(lambda frame: answered(frame, 0, 9, 0, 0, 0, 7)) as (stub, found), Client(found.proxy.port) as client:
+        for path in ("/proc/self/environ", "/dev/mtdblock0", "../../../../etc/shadow", "../../x", "a/" * 50):
+            for number in (BEGIN_UPLOAD, 0x96, LIST):
+                assert client.ask(begin(path, 10, number))[6] != 0
+        assert stub.got == []
+
+
+@pytest.mark.parametrize(("asked", "given"), [(4096, 1012), (1024, 1012), (65535, 1012), (1012, 1012), (100, 100)])
+def test_sizes_are_lowered(asked: int, given: int, tmp_path: Path) -> None:
+    with before(lambda frame: answered(frame, 0, 0, 16, 0, 0, 7)) as (stub, found), Client(found.proxy.port) as client:
+        for number in (BEGIN_UPLOAD, LIST):
+            assert client.ask(begin("../prjs/x.rtf", asked, number))[6] == 0
+            assert stub.got[-1] == begin("../prjs/x.rtf", given, number)
+        continued = {1012: 1016, 100: 100}[given] if asked > 1012 else asked
+        assert client.ask(system(CONTINUE_LIST, b"\7" + asked.to_bytes(2, "little")))[6] == 0
+        assert stub.got[-1] == system(CONTINUE_LIST, b"\7" + continued.to_bytes(2, "little"))
+
+
+def test_a_large_file_of_frames_comes_back_whole(tmp_path: Path) -> None:
+    # Its contents look like replies to commands that another client might have sent.
+    contents = bytes.fromhex("04 00 77 07 02 64") * 2000
+    with guarded(tmp_path) as (_, found), Client(found.proxy.port) as client:
+        (tmp_path / "prjs/x.rtf").write_bytes(contents)
+        first = client.ask(begin(size=4096))
+        data, handle = first[12:], first[11]
+        while len(data) < len(contents):
+            data += client.ask(system(CONTINUE_UPLOAD, bytes((handle, 0, 16))))[8:]
+        assert data == contents
+
+
+# 13 to 15: who gets a reply
+
+
+def test_a_reply_belongs_to_the_client_that_asked() -> None:
+    has_gone = threading.Event()
+
+    def late(frame: bytes) -> bytes:
+        if frame[4] == 0:
+            return reply(frame, b"\x64")
+        if frame[5] == BEGIN_UPLOAD:
+            assert has_gone.wait(10)
+            return answered(frame, 0, 9, 0, 0, 0, 7)
+        return answered(frame, 0, 7)
+
+    with before(late) as (stub, found):
+        with Client(found.proxy.port) as client:
+            client.send(begin())
+            until(lambda: bool(stub.got))
+        has_gone.set()
+        with Client(found.proxy.port) as client:
+            # The counter is that of the upload.
+            assert client.ask(system(0x9D, b""))[5:7] == b"\x9d\0"
+            assert client.is_silent()
+        assert stub.commands == [BEGIN_UPLOAD, CLOSE, 0x9D]
+        assert stub.got[1][4:] == bytes.fromhex("01 98 07")
+
+
+def test_a_lost_reply_renews_the_connection(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.link.relays.PATIENCE", 0.3)
+    battery_asked = 0
+
+    def lossy(frame: bytes) -> bytes | None:
+        nonlocal battery_asked
+        battery_asked += 1
+        return reply(frame, b"\x64") if battery_asked > 1 else None
+
+    with before(lossy) as (_, found), Client(found.proxy.port) as client:
+        client.send(BATTERY)
+        assert client.is_silent(0.6)
+        assert client.ask(BATTERY)[5:] == b"\x64"
+        assert found.said == ["no answer from the brick within 0.3 s; the connection to it is made anew"]
+        assert found.shown[0] == "UI_READ.GET_LBATT(PCT=GV(0)) -> no reply"
+
+
+# replay
+
+
+def test_replay_uses_the_handles_of_this_brick(tmp_path: Path) -> None:
+    """The recorded brick had a file under handle 0; at this one that is another client's."""
+    with guarded(tmp_path) as (brick, _), Client(brick.port) as other:
+        assert other.ask(begin())[11] == 0
+        done = run_ev3proto_text(
+            "replay", ROOT / "captures/wifi.pcapng", "--to", f"wifi:127.0.0.1:{brick.port}", "--fast"
+        )
+        sent = [line for line in done.stdout.splitlines() if "CONTINUE_UPLOAD" in line]
+        assert len(sent) == 3
+        assert all(line.startswith("omitted") for line in sent)
+        assert other.ask(system(CONTINUE_UPLOAD, b"\0\x0a\0"))[6] == 0

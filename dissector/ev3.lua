@@ -3737,7 +3737,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3756,7 +3756,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             {
@@ -3780,7 +3780,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3800,7 +3800,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3820,7 +3820,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3839,7 +3839,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             {
@@ -3880,7 +3880,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
@@ -3900,7 +3900,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
         ]],
@@ -3919,7 +3919,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "POS", OUT, DATA32, "position", unit = "degrees" },
@@ -3940,7 +3940,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3968,7 +3968,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
@@ -3996,7 +3996,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4024,7 +4024,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4052,7 +4052,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4090,7 +4090,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
             { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
@@ -4128,7 +4128,7 @@ local OPERATIONS = {
                     [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D",
                     [15] = "A+B+C+D",
                 },
-                is_motor = true,
+                is_set = true,
                 range = { 0, 15 },
             },
         ]],
@@ -5719,7 +5719,9 @@ do
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
             -- The letters of motors, for lines.
-            motors = row.is_motor and row.special or nil,
+            motors = (row.is_motor or row.is_set) and row.special or nil,
+            -- Whether it is a bit mask of ports.
+            is_set = row.is_set,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
@@ -6373,11 +6375,15 @@ do
     end
 
     -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
-    -- error; a system reply has the command's number, known or not. `body` is what follows the type in the command.
+    -- error; a system reply has the command's number, known or not, but not 0. `body` is what follows the type in the
+    -- command; zeros prove nothing.
     local function is_proof(reply, body)
         local carries, memory, sizes = reply.type.carries, reply.size - HEADER_SIZE, reading.unsigned16(body, 0)
-        if carries == "system" then return body ~= "" and byte(reply.text, HEADER_SIZE + 1) == byte(body, 1) end
-        if carries ~= "direct" then return false end
+        if carries == "system" then
+            local number = byte(body, 1)
+            return number ~= nil and number ~= 0 and number == byte(reply.text, HEADER_SIZE + 1)
+        end
+        if carries ~= "direct" or find(body, "^..\0+$") then return false end
         return sizes ~= nil and memory == sizes % (GLOBAL_MASK + 1) or reply.type.is_error and memory == 0
     end
 
@@ -7386,6 +7392,7 @@ do
         local is_text = encoding.kind == CONSTANT_TEXT
         if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
         local range = parameter.range
+        if value == 0 and parameter.is_set then return false end
         if range and value >= range[1] and value <= range[2] then return true end
         local names, special = parameter.names, parameter.special
         if not names and not special then return not range end
@@ -7680,8 +7687,8 @@ do
                 return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
-            local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
-            local message = is_likely and messages.read(sub(text, place + 1, stop))
+            local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
+            local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
         end

@@ -18,7 +18,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import OPCODES
 from ev3proto.tables.claims import NEVER_SENT, NOT_TELLING, NXT_MASK, NXT_WRITE, ONLY_IN_PROGRAMS
 from ev3proto.tables.daisy import MOST_LAYERS
-from ev3proto.tables.declaration import DIALECTS, Type
+from ev3proto.tables.declaration import DIALECTS, Role, Type
 from ev3proto.tables.encoding import GLOBAL, TEXT
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES
 
@@ -87,6 +87,8 @@ def _is_in_place(argument: Argument, local_size: int, global_size: int) -> bool:
     is_text = argument.form.kind == TEXT
     if is_text or isinstance(value, str) or parameter.type is Type.STRING:
         return is_text and parameter.type is Type.STRING
+    if parameter.role is Role.MOTORS and not value:
+        return False
     domain = domain_of(parameter)
     return domain is None or domain.covers(value)
 
@@ -95,7 +97,7 @@ def proves(reply: bytes, command: bytes) -> bool:
     """Returns whether a frame is the reply to a command, which shows that both are of this protocol.
 
     It is of the command's kind and has its counter. A direct reply has the length that the command requested, or is an
-    error; a system reply has the command's number, known or not.
+    error; a system reply has the command's number, known or not, but not 0.
     """
     if len(reply) < HEADER_SIZE or len(command) <= HEADER_SIZE:
         return False
@@ -106,7 +108,10 @@ def proves(reply: bytes, command: bytes) -> bool:
     if answer.carries != request.carries or counter != wanted:
         return False
     if answer.carries == "system":
-        return reply[HEADER_SIZE : HEADER_SIZE + 1] == command[HEADER_SIZE : HEADER_SIZE + 1]
+        return reply[HEADER_SIZE : HEADER_SIZE + 1] == command[HEADER_SIZE : HEADER_SIZE + 1] != b"\0"
+    operations = command[COMMAND_HEADER_SIZE:]
+    if operations and not any(operations):
+        return False
     memory = size + LENGTH_FIELD - HEADER_SIZE
     is_requested = len(command) >= COMMAND_HEADER_SIZE and memory == read_memory(command)[0]
     return answer.carries == "direct" and (is_requested or (answer.is_error and not memory))

@@ -176,7 +176,7 @@ class Finder:
         if not is_whole:
             return Found.OPEN if (is_begin or anywhere) and self.may_become(buffer, at) else Found.NOTHING
         is_enough = end - at >= _LEAST and (anywhere or size - end >= LENGTH_FIELD)
-        if is_begin or (is_enough and self.follow(buffer, end) is not None):
+        if is_begin or (is_enough and self.may_start(buffer, end) and self.follow(buffer, end) is not None):
             message = self._schema.read_frame(buffer[at:end], strict=False)
             if is_plausible(message, self._schema, is_cut=is_cut):
                 return Found.CHAIN

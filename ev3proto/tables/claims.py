@@ -9,17 +9,18 @@ of a USB device, or the user (`--port`, `--all`, the preference, Decode As) iden
 
 Elsewhere (TCP port 5555, the RFCOMM channel of the serial port, reports of a brick's size), a claim begins with
 
-- a *plausible* command where a packet begins; inside a packet only if a header follows it;
+- a *plausible* command where a packet begins; inside a packet only if a header follows it at once (zeros are none);
 - a packet of whole frames, whatever they contain (USB: one frame), if a packet from the other side begins with the
   reply to one of them: of its kind, with its counter, and for a direct command with the length that it requested, or an
-  error, for a system command with its number. At most `MOST_HELD` packets of a conversation wait for such a reply;
+  error, for a system command with its number. Zeros prove nothing: neither a system command 0 nor operations of zeros.
+  At most `MOST_HELD` packets of a conversation wait for such a reply;
 - on TCP, `REPLIES` complete, non-empty replies in a row.
 
 A direct command is plausible if
 
 - the instructions of some firmware read it to its end, or to the end of what was captured of its packet;
 - at least one operation is not in `NOT_TELLING`, and none is `NEVER_SENT` or in `ONLY_IN_PROGRAMS`;
-- each argument has a kind and range that its parameter accepts;
+- each argument has a kind and range that its parameter accepts, and each set of motors has one;
 - variables are within the memory that the header requests.
 
 A system command is plausible if it fits its fields, is in one packet if it has data, and is not that of the NXT

@@ -202,3 +202,22 @@ def moves(rng: random.Random) -> Iterator[Said]:
         )
     for at in range(0, len(data), 5):
         yield True, data[at : at + 5]
+
+
+def tuner(rng: random.Random) -> Iterator[Said]:
+    """Tuning of loudspeakers on RFCOMM: a mark, a block, rows of four numbers, mostly zeros, a check sum, a mark."""
+    for number in range(2000):
+        rows = [
+            struct.pack("<HHHH", *map(rng.choice, ((0, 8, 11, 160), (0, 40, 600), (0, 128), (0, 0xAA00))))
+            for _ in range(rng.randint(1, 6))
+        ]
+        block = bytes((0x80, 0x80, 0x80, 0xEE, number % 3)) + b"".join(rows)
+        yield number % 2 == 0, block + bytes((sum(block) & 0xFF, 0xAA)) + bytes(rng.choice((0, 4, 16)))
+
+
+def log_sink(rng: random.Random) -> Iterator[Said]:
+    """A device that writes its log to a server: length, number, kind of record, level, text; each is acknowledged."""
+    for number in range(20):
+        line = b"I/wdog: heap %d of 65536\\0" % rng.randrange(65536)
+        yield True, struct.pack("<HHBB", 4 + len(line), number, 1, 0) + line
+        yield False, struct.pack("<HHBBB", 5, number, 3, 0, 0)

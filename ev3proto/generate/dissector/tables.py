@@ -193,6 +193,9 @@ ROLE_LABELS = {Role.LAYER: "Daisy chain", Role.PORT: "Port", Role.MOTOR: "Port",
 """Prefixes of firmware names that say little by themselves: `Port NO`."""
 SHORT_NAMES = ("LAYER", "NO", "NOS")
 
+MOTORS = {Role.MOTOR: "is_motor", Role.MOTORS: "is_set"}
+"""The marks of parameters that name a motor, or a set of them."""
+
 
 def _parameter(parameter: Parameter) -> Table:
     named: dict[Any, object] = {}
@@ -204,8 +207,8 @@ def _parameter(parameter: Parameter) -> Table:
         named["enum"] = Name(f"ENUMERATIONS.{parameter.enum.name}")
     if parameter.special:
         named["special"] = Table(named=dict(parameter.special))
-    if parameter.role in (Role.MOTOR, Role.MOTORS):
-        named["is_motor"] = True
+    if parameter.role in MOTORS:
+        named[MOTORS[parameter.role]] = True
     domain = domain_of(parameter)
     if domain is None and parameter.type in RANGES:
         named["any"] = True

@@ -90,11 +90,15 @@ do
     end
 
     -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
-    -- error; a system reply has the command's number, known or not. `body` is what follows the type in the command.
+    -- error; a system reply has the command's number, known or not, but not 0. `body` is what follows the type in the
+    -- command; zeros prove nothing.
     local function is_proof(reply, body)
         local carries, memory, sizes = reply.type.carries, reply.size - HEADER_SIZE, reading.unsigned16(body, 0)
-        if carries == "system" then return body ~= "" and byte(reply.text, HEADER_SIZE + 1) == byte(body, 1) end
-        if carries ~= "direct" then return false end
+        if carries == "system" then
+            local number = byte(body, 1)
+            return number ~= nil and number ~= 0 and number == byte(reply.text, HEADER_SIZE + 1)
+        end
+        if carries ~= "direct" or find(body, "^..\0+$") then return false end
         return sizes ~= nil and memory == sizes % (GLOBAL_MASK + 1) or reply.type.is_error and memory == 0
     end
 

@@ -125,8 +125,8 @@ do
                 return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
-            local is_likely = is_begin[place] or is_enough and finding.follow(text, stop)
-            local message = is_likely and messages.read(sub(text, place + 1, stop))
+            local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
+            local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
         end

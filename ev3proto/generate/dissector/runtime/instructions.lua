@@ -86,7 +86,9 @@ do
             unit = row.unit,
             names = row.enum and not is_flags and row.enum.names or nil,
             -- The letters of motors, for lines.
-            motors = row.is_motor and row.special or nil,
+            motors = (row.is_motor or row.is_set) and row.special or nil,
+            -- Whether it is a bit mask of ports.
+            is_set = row.is_set,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,

@@ -31,6 +31,7 @@ from ev3proto.brick.dispatch import dispatch_table
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.images import Image
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.plugs import CORE_SET
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
     FAIL,
@@ -54,6 +55,7 @@ from ev3proto.schema.header import (
     read_memory,
 )
 from ev3proto.tables import check_dialect, operations
+from ev3proto.tables.devices import NO_DEVICE
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SystemStatus
 
@@ -99,6 +101,7 @@ class Brick(Equipment):
         if stretch is not None and (not isinstance(stretch, int | float) or not stretch >= 0):
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
         super().__init__(root, check_dialect(dialect), self.stop)
+        self._has_core_set = False
         self.is_computing = False
         self.has_ended_command = False
         self.machine = Machine(self, dispatch_table(self.dialect))
@@ -147,10 +150,23 @@ class Brick(Equipment):
         Raises:
             ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
         """
+        if self._has_core_set and self.inputs.has_new(port, type):
+            self._unplug_all()
         self.inputs.plug(port, type, readings)
         if isinstance(port, str):
             is_fixed = any(value is not None for value in (tacho, speed, count))
             self.outputs.plug(port, type, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None)
+
+    def plug_core_set(self) -> None:
+        """Plugs in the equipment of LEGO's core set; a device that is plugged in afterwards replaces all of it."""
+        for plug in CORE_SET:
+            self.plug(plug.port, plug.type, plug.readings)
+        self._has_core_set = True
+
+    def _unplug_all(self) -> None:
+        self._has_core_set = False
+        for port in self.inputs.plugged():
+            self.plug(port, NO_DEVICE.number)
 
     def press(self, button: str) -> None:
         """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""
@@ -257,6 +273,11 @@ class Brick(Equipment):
     def is_busy(self) -> bool:
         """Whether a direct command is in progress: a real brick reads from no connection until it has ended."""
         return self._command is not None
+
+    @property
+    def waits_for(self) -> str:
+        """What the direct command in progress waits for in vain, such as a motor that is not plugged in, in words."""
+        return "" if self._command is None else self._command.program.waits_for
 
     def end_command(self) -> list[Addressed]:
         """Ends the direct command in progress as failed. Returns the replies that became due."""

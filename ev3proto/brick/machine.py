@@ -181,8 +181,9 @@ class Machine:
             entry.ip = self.ip
         except Sleep:
             entry.ip = self.ip
-        except Busy:
+        except Busy as busy:
             entry.ip = begin
+            program.waits_for = "".join(busy.args)
             is_waiting = True
         except Leave:
             pass

@@ -18,7 +18,10 @@ class NoOperation(Failure):
 
 
 class Busy(OperationExit):
-    """The operation has to wait: it is executed again, with its parameters, at the program's next turn."""
+    """The operation has to wait: it is executed again, with its parameters, at the program's next turn.
+
+    An argument says in words what it waits for in vain.
+    """
 
 
 class Leave(OperationExit):

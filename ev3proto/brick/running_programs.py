@@ -79,6 +79,7 @@ class Program:
     executed: int = 0  # operations so far
     current: ProgramObject | None = None  # the object whose turn was last
     unfinished: int = 0  # operations that are left of its turn, if that took too long
+    waits_for: str = ""  # what the operation that waited last waits for in vain, in words
     due: int = 0  # operations of all turns of a tick that are left, if they took too long
     _labels: dict[int, int] | None = None
 

@@ -13,6 +13,7 @@ import click
 
 from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.dispatch import coverage as covered_operations
+from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
@@ -28,6 +29,7 @@ from ev3proto.cli.options import (
     PORT,
     SerialNumber,
     Whole,
+    bare_option,
     dialect_option,
     given_options,
     incompatible,
@@ -80,6 +82,7 @@ screenshot_option = click.option(
 @page_option
 @root_option
 @script_option
+@bare_option
 @click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng).")
 @click.option(
     "--report",
@@ -94,7 +97,7 @@ screenshot_option = click.option(
 @screenshot_option
 @fault_options
 @dialect_option
-@click.option("--quiet", is_flag=True, help="Do not list the differences from a real brick at the start.")
+@click.option("--quiet", is_flag=True, help="Do not list the equipment and the differences from a real brick.")
 @click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit.")
 def brick(
     address: str,
@@ -106,6 +109,7 @@ def brick(
     page: int | None,
     root: Path | None,
     script: Path | None,
+    bare: bool,
     record: Path | None,
     report: bool,
     errors_only: bool,
@@ -121,6 +125,10 @@ def brick(
 
     It answers as the firmware V1.04H does. Programs connect by WiFi on this computer, or on a serial port. The first
     line of its output says where it listens; Ctrl-C switches it off.
+
+    The equipment of LEGO's core set is plugged in: a medium motor on A, large motors on B and C; a touch sensor on 1
+    (not pressed), a gyro on 2 (0 degrees), a colour sensor on 3 (it sees nothing, ambient light 10 %), an ultrasonic
+    sensor on 4 (255 cm). Any [ports] in a script replace all of it.
 
     \b
     A script describes what is plugged in, with raw readings, and what happens:
@@ -160,6 +168,7 @@ def brick(
         report=report,
         screenshot=screenshot,
         script=read_script_file(script),
+        core_set=not bare,
         dialect=dialect,
         serial_number=serial_number,
     )
@@ -168,6 +177,8 @@ def brick(
     if options.port is None and serial is None and page is None:
         raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
     if not quiet:
+        if options.has_core_set:
+            complain(CORE_SET_SENTENCE)
         complain(f"This brick differs from a real one in {len(DEVIATIONS)} ways (--quiet hides this list):")
         for sentence in DEVIATIONS:
             complain(f"- {sentence}")

@@ -63,6 +63,10 @@ dialect_option = click.option(
 
 json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line.")
 
+bare_option = click.option(
+    "--bare", is_flag=True, help="Plug nothing into the virtual brick, instead of LEGO's core set."
+)
+
 reply_option = click.option(
     "--reply/--no-reply",
     default=None,

@@ -6,6 +6,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import replace
 
 import click
 
@@ -105,7 +106,8 @@ def replay(
     if dry_run:
         _show_plan(found, allowed)
         sys.exit(1 if inputs.at_fault else 0)
-    with channel_to(target) as channel:
+    # Nothing is plugged into a virtual brick: the recorded one had its own equipment.
+    with channel_to(replace(target, is_bare=True)) as channel:
         replaying = _Replaying(
             channel, str(target), timeout, reading.dialect, allowed, fast=fast, only_different=differences
         )

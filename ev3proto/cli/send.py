@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
 import click
 
+from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import encoded, inputs_for
-from ev3proto.cli.options import dialect_option, json_option, reply_option
+from ev3proto.cli.options import bare_option, dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import CaptureOptions
 from ev3proto.cli.recorded import Dialogues
@@ -18,9 +20,12 @@ from ev3proto.errors import counted
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import LinkError
 from ev3proto.link.records import Records
-from ev3proto.link.targets import Target
-from ev3proto.messages import Message
+from ev3proto.link.targets import Target, Way
+from ev3proto.messages import DirectCommand, Message
 from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.tables.declaration import Role
+
+_PORTS = (Role.MOTOR, Role.MOTORS, Role.PORT, Role.PORTS)
 
 
 @click.command()
@@ -28,6 +33,7 @@ from ev3proto.schema.header import HEADER_SIZE
 @click.argument("names", nargs=-1, metavar="[FRAME|TEXT|FILE|-]...")
 @json_option
 @click.option("--force", is_flag=True, help="Send also frames that the brick would refuse.")
+@bare_option
 @timeout_option
 @reply_option
 @dialect_option
@@ -36,6 +42,7 @@ def send(
     names: tuple[str, ...],
     as_json: bool,
     force: bool,
+    bare: bool,
     timeout: float,
     reply: bool | None,
     dialect: str,
@@ -43,8 +50,9 @@ def send(
     """Sends frames to a brick and shows the replies.
 
     TARGET is the brick: wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT, or
-    virtual for a temporary virtual brick. The input is the same as for `encode`: hex, assembly, files, captures, or -
-    (or nothing) for standard input. A brick's replies in it are skipped.
+    virtual for a temporary virtual brick with LEGO's core set: a medium motor on A, large motors on B and C; touch,
+    gyro, colour and ultrasonic sensor on 1 to 4. The input is the same as for `encode`: hex, assembly, files, captures,
+    or - (or nothing) for standard input. A brick's replies in it are skipped.
 
     All frames are checked first, and their errors are shown; if the brick would refuse one, nothing is sent. Each reply
     is awaited before the next frame is sent.
@@ -54,6 +62,8 @@ def send(
       ev3proto send usb 'UI_READ(GET_VBATT, GV0(0))'
       ev3proto send wifi:127.0.0.1 "0x|06:00|2A:00|00|00:00|01|"
     """  # noqa: D301 - the mark by which click leaves lines as they are
+    if bare and target.way is not Way.VIRTUAL:
+        raise click.UsageError("--bare is for a virtual brick")
     inputs = inputs_for(names, CaptureOptions(dialect=dialect), reply=reply)
     found = list(encoded(inputs, faults=False))
     commands = [message for message in found if message.type is None or message.type.is_command]
@@ -72,9 +82,18 @@ def send(
     ]
     if len(allowed) < len(commands):
         raise Failure("nothing was sent; --force sends it anyway")
-    with channel_to(target) as channel:
+    if target.way is Way.VIRTUAL and not bare and any(map(_uses_ports, allowed)):
+        complain(CORE_SET_SENTENCE)
+    with channel_to(replace(target, is_bare=bare)) as channel:
         is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
     sys.exit(0 if is_fine and not inputs.at_fault else 1)
+
+
+def _uses_ports(message: Message) -> bool:
+    """Returns whether the result of a command may depend on what is plugged in."""
+    return isinstance(message, DirectCommand) and any(
+        parameter.role in _PORTS for operation in message.operations for parameter in operation.declaration.parameters
+    )
 
 
 def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:

@@ -14,9 +14,11 @@ from ev3proto.link.carriers.wire import Wire
 from ev3proto.link.commands import Prepared, Result
 from ev3proto.link.errors import ConnectionLostError, LinkError, NoAnswerError
 from ev3proto.link.session import Answered, Event, Oddity, Request, Session, Stray
+from ev3proto.schema.frame import parse
 from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.schema.header import HEADER_SIZE, Header
 from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MessageType
 
 TURN = 0.1
@@ -147,11 +149,24 @@ class Channel:
             odd = self._odd
         sentence = (
             f"no answer from {self.label} to the command with the counter {ticket.request.counter} within {timeout:g} s"
-            "; is it busy with a waiting command, switched off, or out of reach?"
+            f"; {self._reason(ticket.request.frame)}"
         )
         if odd is not None:
             sentence += f" The last bytes received were {_told(odd)}"
         return NoAnswerError(sentence)
+
+    def _reason(self, frame: bytes) -> str:
+        """Returns why a command may have no answer. Only the wire of a virtual brick knows."""
+        waits_for: str = getattr(self._wire, "waits_for", "")
+        if waits_for:
+            return waits_for
+        for operation in getattr(parse(frame, strict=False), "operations", ()):
+            if Effect.AWAITS_MOVE in operation.declaration.effects:
+                return (
+                    f"{operation.name} waits until the moves of motors have ended: are the motors plugged in, and free"
+                    " to turn?"
+                )
+        return "is it busy with a waiting command, switched off, or out of reach?"
 
     def fetched(self, ticket: Ticket) -> None:
         """Marks a reply as delivered."""

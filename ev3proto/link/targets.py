@@ -41,6 +41,7 @@ class Target:
     # only brick. Bluetooth: MAC address. Serial: the port. Virtual: the folder of its files, None for no files.
     host: str | None = None
     port: int | None = None  # WiFi: the TCP port, None for the usual one
+    is_bare: bool = False  # Virtual: whether nothing is plugged in, instead of LEGO's core set
 
     def __str__(self) -> str:
         host = f"[{self.host}]" if self.port is not None and ":" in (self.host or "") else self.host

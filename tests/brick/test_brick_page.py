@@ -192,6 +192,10 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     wait.until(lambda _: "rotate(" in str(browser.find_element(By.CSS_SELECTOR, ".wheel").get_attribute("style")))
     wait.until(lambda _: "FREQUENCY=440" in browser.find_element(By.ID, "talks").text)
 
+    # A move without a motor is named.
+    client.ask(command("OUTPUT_STEP_SPEED(0, D, 50, 0, 90, 0, 1)"))
+    wait.until(lambda _: "a move on D does not end: no motor is" in browser.find_element(By.ID, "waiting").text)
+
     # A button is pressed, a sensor is plugged in and dragged.
     brick.now.brick.plug(1, 29, {0: (10,)})
     slider = wait.until(lambda _: browser.find_element(By.CSS_SELECTOR, ".sensor input"))

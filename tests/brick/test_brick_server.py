@@ -29,6 +29,7 @@ from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
 from ev3proto.schema.discovery import Beacon
+from ev3proto.text.spans import plain_text
 
 PLAIN = Options(port=0, beacon=False)
 # INPUT_READ of port 1 in its mode, to GV0.
@@ -604,6 +605,69 @@ def test_script(tmp_path: Path) -> None:
         until(lambda: client.ask(read)[5:] == bytes((100, 1)))
         name = client.ask(command("DATA8 name 10\nCOM_GET(GET_BRICKNAME, 10, name)"))
         assert name[5:].rstrip(b"\0") == b"Robby"
+
+
+def first_words(tmp_path: Path, *words: str) -> tuple[str, list[str], bytes]:
+    """Returns the first line of `ev3proto brick`, its messages, and the types of the devices on all ports."""
+    call = [sys.executable, "-m", "ev3proto", "brick", "--port", "0", "--no-beacon", *words]
+    with subprocess.Popen(call, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=tmp_path) as brick:
+        assert brick.stdout is not None
+        listening = brick.stdout.readline()
+        with Client(int(listening.rpartition(":")[2])) as client:
+            types = client.ask(command("DATA8 types 20\nDATA8 changed\nINPUT_DEVICE_LIST(20, types, changed)"))[5:25]
+        brick.send_signal(signal.SIGINT)
+        return listening, brick.communicate(timeout=30)[1].splitlines(), types
+
+
+EQUIPMENT = "plugged in: medium motor on A, large motors on B and C; sensors: touch on 1, gyro on 2, colour on 3,"
+NOTHING = b"\x7e" * 4
+
+
+def test_the_core_set_is_plugged_in(tmp_path: Path) -> None:
+    listening, said, types = first_words(tmp_path)
+    assert listening.startswith("listening on 127.0.0.1:")
+    assert said[0] == f"{EQUIPMENT} ultrasonic on 4 (--bare: nothing)"
+    # Touch, gyro, colour, ultrasonic; 12 ports of other bricks; medium motor, two large ones, nothing.
+    assert types == bytes((16, 32, 29, 30)) + NOTHING * 3 + bytes((8, 7, 7, 126))
+
+
+@pytest.mark.parametrize("words", [("--bare",), ("--script", "robot.toml")])
+def test_something_else_replaces_the_core_set(tmp_path: Path, words: tuple[str, ...]) -> None:
+    (tmp_path / "robot.toml").write_text("[ports.2]\ntype = 16\n")
+    _, said, types = first_words(tmp_path, *words)
+    assert not [line for line in said if "plugged in: " in line]
+    assert types == (NOTHING if "--bare" in words else b"\x7e\x10\x7e\x7e") + NOTHING * 4
+
+
+def test_a_script_without_ports_leaves_the_core_set(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text("name = 'Robby'\n")
+    _, said, types = first_words(tmp_path, "--script", "robot.toml")
+    assert said[0].startswith(EQUIPMENT)
+    assert types[:4] == bytes((16, 32, 29, 30))
+
+
+def test_a_device_that_is_plugged_in_replaces_the_core_set(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, core_set=True)) as brick:
+        # New readings, or another device that is unplugged, do not.
+        brick.now.brick.plug(1, 16, {0: (4000,)})
+        brick.now.brick.plug(2, 126)
+        assert len(brick.now.brick.inputs.plugged()) == 6
+        brick.now.brick.plug(2, 16)
+        assert list(brick.now.brick.inputs.plugged()) == [2]
+
+
+def test_a_command_that_waits_for_a_missing_motor(tmp_path: Path) -> None:
+    waiting = command("OUTPUT_STEP_SPEED(0, D, 50, 0, 90, 0, 1)\nOUTPUT_READY(0, D)")
+    with served(tmp_path, replace(PLAIN, core_set=True, report=True)) as brick:
+        with Client(brick.port) as client:
+            client.send(waiting)
+            until(lambda: bool(brick.said))
+        (said,) = brick.said
+        assert said.endswith(": OUTPUT_READY waits for a motor on D, but none is plugged in there")
+        assert brick.now.reporter is not None
+        text = "\n".join(plain_text(line) for line in brick.now.reporter.lines())
+        assert "frame 1" in text
+        assert "OUTPUT_READY waits for a motor on D, but none is plugged in there" in text
 
 
 @pytest.mark.parametrize(

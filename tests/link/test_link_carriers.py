@@ -318,6 +318,13 @@ def test_a_python_without_bluetooth_asks_for_the_serial_port(monkeypatch: pytest
 # The virtual brick
 
 
+def test_a_virtual_brick_has_the_core_set() -> None:
+    with EV3(target="virtual") as brick:
+        assert tuple(brick.sensors) == (16, 32, 29, 30, 8, 7, 7, None)
+    with EV3(target=Target(Way.VIRTUAL, is_bare=True)) as brick:
+        assert tuple(brick.sensors) == (None,) * 8
+
+
 def test_a_virtual_brick_has_files_until_it_is_gone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     with EV3(target="virtual") as brick:

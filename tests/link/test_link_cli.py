@@ -87,6 +87,35 @@ def test_send_shows_errors_in_what_the_brick_takes_and_sends_it() -> None:
     assert "nothing was sent" not in done.stderr
 
 
+def test_send_to_a_virtual_brick_moves_the_motors_of_the_core_set() -> None:
+    commands = ("OUTPUT_STEP_SPEED(0, A, 50, 0, 360, 0, 1)", "OUTPUT_READY(0, A)", "OUTPUT_GET_COUNT(0, 0, GV0(0))")
+    done = run_ev3proto_text("send", "virtual", "--json", "--reply", *commands)
+    assert done.returncode == 0
+    assert done.stderr == (
+        "plugged in: medium motor on A, large motors on B and C; sensors: touch on 1, gyro on 2, colour on 3,"
+        " ultrasonic on 4 (--bare: nothing)\n"
+    )
+    count = json.loads(done.stdout.splitlines()[-1])["reply"]["values"][0]["value"]
+    assert count == pytest.approx(360, abs=30)
+
+
+@pytest.mark.parametrize(("words", "port"), [(("--bare",), "A"), ((), "D")])
+def test_a_wait_for_a_motor_that_is_not_there_is_named(words: tuple[str, ...], port: str) -> None:
+    commands = (f"OUTPUT_STEP_SPEED(0, {port}, 50, 0, 360, 0, 1)", f"OUTPUT_READY(0, {port})")
+    done = run_ev3proto_text("send", "virtual", *words, "--reply", "--timeout", "1", *commands)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == (
+        "no answer from the virtual brick to the command with the counter 1 within 1 s; OUTPUT_READY waits for a motor"
+        f" on {port}, but none is plugged in there"
+    )
+
+
+def test_only_a_virtual_brick_can_be_bare() -> None:
+    done = run_ev3proto_text("send", "wifi:127.0.0.1", "--bare", "NOP()")
+    assert done.returncode == 2
+    assert "--bare is for a virtual brick" in done.stderr
+
+
 def test_copy_reads_no_more_than_a_brick_has_room_for() -> None:
     done = run_ev3proto_text("copy", "virtual", "/dev/zero", "brick:../prjs/x.rtf")
     assert (done.returncode, done.stdout) == (1, "")

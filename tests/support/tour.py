@@ -18,7 +18,8 @@ from typing import Any
 import ev3_dc
 from thread_task import concat
 
-from ev3proto.brick.servers.script import Plug, Script
+from ev3proto.brick.plugs import Plug
+from ev3proto.brick.servers.script import Script
 from ev3proto.brick.servers.server import Options
 from ev3proto.tables.discovery import BEACON_PORT, TCP_PORT
 from support.server import Served, beacon_port, free_port, served

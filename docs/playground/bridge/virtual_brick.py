@@ -28,6 +28,7 @@ class VirtualBrick:
         """Switches the brick on."""
         self._folder = TemporaryDirectory()
         self._brick = Brick(Path(self._folder.name), stretch=STRETCH)
+        self._brick.plug_core_set()
         self._watcher = Watcher(lambda: self._brick.microseconds / 1_000_000)
         self._changes = Changes(self._brick, self._watcher.open(), tuple)
 

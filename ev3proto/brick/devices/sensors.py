@@ -172,6 +172,11 @@ class Inputs(Part):
             self._count_change(found)
         device.set_readings(readings or {})
 
+    def has_new(self, port: int | str, type: int) -> bool:
+        """Returns whether a type is a device, and not the one that is plugged into a port. Raises ValueError."""
+        found = DEVICE_TYPES.get(type, _UNKNOWN)
+        return found is not NO_DEVICE and found is not self._devices[self._port(port)].plugged
+
     def _count_change(self, type: DeviceType) -> None:
         """Counts a change of type or mode, for each slot to ask for."""
         if type is not _UNKNOWN:

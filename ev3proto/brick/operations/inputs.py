@@ -82,12 +82,20 @@ def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format:
             place.write8(NAN8)
 
 
+def _port_name(layer: int, number: int) -> str:
+    """Returns a port as people call it."""
+    return f"port {number + 1}" if layer == 0 and number < PORTS else f"input {number} of layer {layer}"
+
+
 @handles("INPUT_READY")
 def ready(vm: Machine, layer: int, number: int) -> None:
     """Waits for the device, forever if the port is empty."""
     device = vm.brick.inputs.device(layer, number)
-    if device is not None and vm.brick.inputs.is_busy(device):
-        raise Busy
+    if device is None or not vm.brick.inputs.is_busy(device):
+        return
+    if device.is_empty:
+        raise Busy(f"INPUT_READY waits for a device on {_port_name(layer, number)}, but none is plugged in there")
+    raise Busy
 
 
 @handles("INPUT_WRITE", raw=True)

@@ -87,7 +87,11 @@ computes(
 @handles("OUTPUT_READY")
 def ready(vm: Machine, layer: int, nos: int) -> None:
     """Waits for the end of the moves that this object began."""
-    if are_busy(_chosen(vm, layer, nos), vm.object.number):
+    motors = _chosen(vm, layer, nos)
+    if are_busy(motors, vm.object.number):
+        missing = vm.brick.outputs.missing(motors)
+        if missing:
+            raise Busy(f"OUTPUT_READY waits for a motor on {' and '.join(missing)}, but none is plugged in there")
         raise Busy
 
 

@@ -81,6 +81,9 @@ class Observer(Protocol):
     def left(self, connection: Connection, data: bytes, reason: str) -> None:
         """Learns that the last bytes of a client were not a whole frame, and why."""
 
+    def waiting(self, connection: Connection, reason: str) -> None:
+        """Learns what the command of a client waits for in vain, such as a motor that is not plugged in."""
+
     def closed(self, connection: Connection) -> None:
         """Learns that a client has disconnected, and that all of its frames are done."""
 
@@ -372,6 +375,8 @@ class Host:
                 break
         if self._current is not None and brick.is_busy:
             connection, begin = self._current
+            if brick.waits_for:
+                self._report_waiting(connection)
             if self._loop.time() - begin > PATIENCE and self._is_awaited(connection):
                 self.say_once(
                     f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
@@ -388,6 +393,13 @@ class Host:
             self.say_once(
                 "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one continues"
             )
+
+    def _report_waiting(self, connection: Connection) -> None:
+        """Says what a command waits for in vain, once, and tells the observers."""
+        reason = self.brick.waits_for
+        if f"{connection.name}: {reason}" not in self._was_said:
+            self.say_once(f"{connection.name}: {reason}")
+            self._tell(lambda observer: observer.waiting(connection, reason))
 
     def _is_behind(self) -> bool:
         """Returns whether the brick's clock is further behind than one step."""

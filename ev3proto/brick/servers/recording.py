@@ -28,6 +28,9 @@ class Recorder:
         """Number of packets written."""
         return self._recording.packets
 
+    def waiting(self, connection: Connection, reason: str) -> None:
+        """Records nothing."""
+
     def opened(self, connection: Connection) -> None:
         """Records the beginning of a connection: on WiFi the TCP handshake, the unlock text and its answer."""
         carrier = Carrier(connection.carrier)

@@ -51,6 +51,7 @@ class Reporter:
         self._kinds: dict[str, _Kind] = {}
         self._not_shown: list[_Kind] = []
         self._broken: list[tuple[dict[str, Any], str]] = []
+        self._waiting: list[tuple[dict[str, Any], str]] = []
 
     def opened(self, connection: Connection) -> None:
         """Checks nothing."""
@@ -62,6 +63,11 @@ class Reporter:
         """Keeps the reason why a client's bytes ended."""
         if len(self._broken) < _MOST_BROKEN:
             self._broken.append((self._place(connection), reason))
+
+    def waiting(self, connection: Connection, reason: str) -> None:
+        """Keeps what a command waits for in vain."""
+        if len(self._waiting) < _MOST_BROKEN:
+            self._waiting.append((self._place(connection), reason))
 
     def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
         """Checks a frame of a client. Each kind of finding counts once a frame."""
@@ -108,11 +114,12 @@ class Reporter:
         many = f"{counted(self.frames, 'frame')} from clients"
         kind_of_finding = "error" if errors_only else "finding"
         kinds = self._sorted(errors_only)
-        if not kinds and not self._broken:
+        troubles = [*self._broken, *([] if errors_only else self._waiting)]
+        if not kinds and not troubles:
             yield Line([(f"{many}: no {kind_of_finding}s", Role.PLAIN)])
             return
         yield Line([(f"{many}, {counted(len(kinds), f'distinct {kind_of_finding}')}", Role.HEADING)])
-        for place, reason in self._broken:
+        for place, reason in troubles:
             yield Line([(f"{_named(place)}: {reason}", Role.FAULT)])
         for kind in kinds:
             yield Line()
@@ -126,6 +133,8 @@ class Reporter:
         """Yields the same for other tools: an object for each kind of finding and each client out of step."""
         for place, reason in self._broken:
             yield json.dumps({**place, "severity": Severity.ERROR, "message": reason}, ensure_ascii=False)
+        for place, reason in [] if errors_only else self._waiting:
+            yield json.dumps({**place, "severity": Severity.WARNING, "message": reason}, ensure_ascii=False)
         for kind in self._sorted(errors_only):
             entry = {**kind.place, **kind.finding.as_dict(), "frames": kind.frames, "operations": list(kind.operations)}
             yield json.dumps({**entry, "hex": kind.report.frame.hex()}, ensure_ascii=False)

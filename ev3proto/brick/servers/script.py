@@ -34,6 +34,7 @@ from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.sensors import PORTS
+from ev3proto.brick.plugs import Plug, Readings
 from ev3proto.errors import near_misses
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import TYPE
@@ -47,20 +48,9 @@ LEAST_PERIOD = 0.01
 _PORT_NAMES = (*(str(number) for number in range(1, PORTS + 1)), *MOTOR_PORTS)
 _MOST_NAME = 12
 
-Readings = dict[int, tuple[float, ...]]
-
 
 class ScriptError(ValueError):
     """An invalid script; the text names the key."""
-
-
-@dataclass(frozen=True)
-class Plug:
-    """A device on a port, and its raw readings by mode."""
-
-    port: int | str
-    type: int
-    readings: Readings
 
 
 @dataclass(frozen=True)

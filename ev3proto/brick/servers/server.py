@@ -52,8 +52,14 @@ class Options:
     report: bool = False  # whether clients' frames are checked
     screenshot: Path | None = None  # file for a picture of the display at the end
     script: Script = field(default_factory=Script)  # the devices, and events over time
+    core_set: bool = False  # whether LEGO's core set is plugged in, unless the script plugs something in
     dialect: str = "official"  # the firmware's instruction set
     serial_number: str | None = None  # 12 hexadecimal digits; None: the usual ones
+
+    @property
+    def has_core_set(self) -> bool:
+        """Whether LEGO's core set is plugged in."""
+        return self.core_set and not self.script.plugs
 
 
 @dataclass(frozen=True)
@@ -75,6 +81,8 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
     loop = asyncio.get_running_loop()
     async with AsyncExitStack() as stack:
         brick = Brick(root, dialect=options.dialect, stretch=STRETCH)
+        if options.has_core_set:
+            brick.plug_core_set()
         options.script.set_up(brick)
         if options.serial_number is not None:
             brick.settings.bluetooth_address = options.serial_number

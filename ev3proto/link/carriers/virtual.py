@@ -56,6 +56,12 @@ class VirtualWire:
                 self._changed.wait(min(left, _TURN if self._brick.is_busy else left))
         raise ConnectionLostError("the connection to the virtual brick was closed")
 
+    @property
+    def waits_for(self) -> str:
+        """What the brick's command waits for in vain, in words; empty if it is not known to."""
+        with self._changed:
+            return self._brick.waits_for
+
     def stop(self) -> None:
         """Unblocks a pending `receive`."""
         with self._changed:
@@ -75,9 +81,10 @@ class VirtualWire:
 
 def open_virtual(target: Target) -> VirtualWire:
     """Switches a virtual brick on, whose files are in a folder or deleted at the end. Raises NoBrickError."""
-    if target.host is None:
-        stack = ExitStack()
-        return VirtualWire(Brick(root=stack.enter_context(temporary_folder())), stack.close)
-    if not Path(target.host).is_dir():
+    stack = ExitStack()
+    if target.host is not None and not Path(target.host).is_dir():
         raise NoBrickError(f"{target.host} is not a folder; the virtual brick keeps its files in one")
-    return VirtualWire(Brick(root=target.host))
+    brick = Brick(root=stack.enter_context(temporary_folder()) if target.host is None else target.host)
+    if not target.is_bare:
+        brick.plug_core_set()
+    return VirtualWire(brick, stack.close)

@@ -206,6 +206,11 @@ class Motor:
         self._seen = Reading(0, self._seen.speed, 0)
 
     @property
+    def is_there(self) -> bool:
+        """Whether a motor is plugged in."""
+        return self.type in (LARGE_TYPE, MEDIUM_TYPE)
+
+    @property
     def is_large(self) -> bool:
         """Whether the driver takes it for a large motor."""
         return self._driver_type == LARGE_TYPE

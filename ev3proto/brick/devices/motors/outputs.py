@@ -44,6 +44,11 @@ class Outputs(Part):
         """Returns the motor of a port; None for an unknown port."""
         return self.motors[number] if layer == 0 and 0 <= number < len(PORTS) else None
 
+    def missing(self, motors: Sequence[Motor]) -> list[str]:
+        """Returns the ports without a motor on which a move is in progress, among some motors."""
+        found = zip(PORTS, self.motors, strict=True)
+        return [port for port, motor in found if motor in motors and motor.is_busy and not motor.is_there]
+
     # Moves
 
     @property

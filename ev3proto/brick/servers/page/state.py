@@ -92,6 +92,7 @@ def _state(brick: Brick) -> dict[str, Any]:
         "light": brick.leds,
         "down": [name for name, number in BUTTONS.items() if brick.buttons.is_down(number)],
         "motors": _motors(brick),
+        "waiting": brick.waits_for or _endless(brick),
         "sensors": _sensors(brick),
         "tone": None
         if playing is None or not playing.frequency
@@ -113,6 +114,12 @@ def _motors(brick: Brick) -> list[dict[str, Any]]:
         }
         for port, motor in zip(MOTOR_PORTS, brick.outputs.motors, strict=True)
     ]
+
+
+def _endless(brick: Brick) -> str:
+    """Returns which moves never end because no motor is there; empty without any."""
+    missing = brick.outputs.missing(brick.outputs.motors)
+    return f"a move on {' and '.join(missing)} does not end: no motor is plugged in there" if missing else ""
 
 
 def _sensors(brick: Brick) -> list[dict[str, Any]]:

@@ -98,6 +98,9 @@ class Watcher:
         """Closes a page."""
         self._pages.discard(unshown)
 
+    def waiting(self, connection: Client, reason: str) -> None:
+        """Does nothing: the page shows it as a part of the brick's state."""
+
     def opened(self, connection: Client) -> None:
         """Does nothing: a connection alone shows nothing."""
 

@@ -29,6 +29,7 @@ const BRICK = `
 <section aria-label="Ports">
   <h2>Motors</h2>
   <div id="motors"></div>
+  <p id="waiting" role="status"></p>
   <h2>Sensors</h2>
   <div id="sensors"></div>
 </section>
@@ -176,6 +177,8 @@ export const showBrick = (place, send) => {
       shown.text.textContent = `${Math.round(motor.angle)}°, ${motor.speed} %${motor.busy ? " …" : ""}`;
     }
   };
+
+  show.waiting = (text) => { find("waiting").textContent = text; };
 
   const sensors = {};
   show.sensors = (values) => {

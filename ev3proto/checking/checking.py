@@ -60,7 +60,7 @@ def check(
         # All other findings follow from this one.
         findings = [codes.MANGLED.finding(*text)]
     accepted, rejected_at = _answer(context, findings)
-    return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier)
+    return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier, alone)
 
 
 _OFFSET = attrgetter("offset")

@@ -59,6 +59,40 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True)
+class Suggestion:
+    """A right frame that was probably meant.
+
+    kind     of the slip: `memory-missing`, `raw`, ...
+    offset   of the slip in the frame that was checked
+    length   number of bytes there that are wrong, 0 if something is missing
+    message  one sentence: what is wrong, and what would be right
+    frame    the frame that was probably meant
+    unknown  the bytes of that frame that can only be guessed, as pairs of offset and length
+    is_sure  whether it is likely enough for a fix: the only suggestion, with nothing guessed
+    """
+
+    kind: str
+    offset: int
+    length: int
+    message: str
+    frame: bytes
+    unknown: tuple[tuple[int, int], ...] = ()
+    is_sure: bool = False
+
+    def as_dict(self) -> dict[str, Any]:
+        """Returns it as a dictionary for other tools; `hex` is the frame."""
+        return {
+            "kind": self.kind,
+            "offset": self.offset,
+            "length": self.length,
+            "message": self.message,
+            "hex": self.frame.hex(),
+            "unknown": [list(span) for span in self.unknown],
+            "sure": self.is_sure,
+        }
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
     """The result of a check.
 
@@ -69,6 +103,7 @@ class Report:
     findings     ordered by offset
     dialect      the firmware whose instruction set was used
     carrier      the carrier; None if it did not matter
+    alone        whether no other command belongs to the frame
     """
 
     frame: bytes
@@ -77,12 +112,26 @@ class Report:
     findings: tuple[Finding, ...]
     dialect: str = "official"
     carrier: str | None = None
+    alone: bool = False
 
     def __str__(self) -> str:
         """Returns what `ev3proto check` prints."""
         from ev3proto.text.diagnostics import report_text  # a higher layer, which renders reports
 
         return report_text(self)
+
+    @property
+    def nearest(self) -> tuple[Suggestion, ...]:
+        """What was probably meant: nothing, one frame, or two that are equally likely.
+
+        Empty for a frame without findings, and for one among others that the brick accepts without errors. The search
+        takes some milliseconds, when it is first asked for.
+        """
+        from ev3proto.checking.nearest import nearest  # which checks the frames that it finds
+
+        if not self.findings or not (self.alone or self.errors or not self.accepted):
+            return ()
+        return nearest(self)
 
     @property
     def fixed(self) -> Fix:

@@ -352,7 +352,7 @@ class InstructionSet:
             arguments: list[Argument] = []
             try:
                 if schema is None:
-                    schema, at = self._select(data, at, end)
+                    schema, at = self.select(data, at, end)
                 else:
                     at += 1
                 at = read_arguments(schema.readers, data, at, end, arguments)
@@ -366,7 +366,7 @@ class InstructionSet:
             operations.append(Operation((schema, data, start, at, tuple(arguments))))
         return operations, None
 
-    def _select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
+    def select(self, data: bytes, at: int, end: int) -> tuple[OperationSchema, int]:
         """Returns the schema for the opcode and CMD at an offset, and where its arguments start."""
         family = self.families[data[at]]
         if family is None:

@@ -1,0 +1,505 @@
+"""The edits that may undo a slip: where each kind of `slips` may have happened, by the parse and the declarations.
+
+A generator for each part of a frame: its header, the arguments of one operation, all operations, system commands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from ev3proto.checking.likelihood import Code, Reading
+from ev3proto.messages import Argument, Variable
+from ev3proto.schema.argument import LABEL_BYTE, encode_float, encode_integer, encode_string, encode_variable
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.instructions import OperationSchema
+from ev3proto.schema.wire_format import NUMBERS
+from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
+from ev3proto.tables.declaration import Direction, Effect, Role, Type
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
+from ev3proto.tables.system import SystemCommand as Entry
+
+TYPE_AT = HEADER_SIZE - 1
+_COMMANDS = {int(one): one for one in MessageType if one.kind in ("direct-command", "system-command")}
+DIRECT = frozenset(number for number, one in _COMMANDS.items() if one.kind == "direct-command")
+"""The types of direct commands."""
+SYSTEM = frozenset(_COMMANDS) - DIRECT
+"""The types of system commands."""
+_REPLY_BIT = MessageType.DIRECT_COMMAND_REPLY ^ MessageType.DIRECT_COMMAND_NO_REPLY
+
+_LC1, _LC2, _LC4 = (encode_integer(number)[0] for number in (100, 1000, 100_000))
+_WIDTHS = {_LC1: 1, _LC2: 2, _LC4: 4}
+_WORDS = {1: "one byte", 2: "two bytes", 4: "four bytes"}
+_LABELS = {LABEL_BYTE + code: width for code, width in ((1, 1), (2, 2), (3, 4))}
+_LCS = encode_string("")[0]
+_OLD_LCS = 0x80
+_LV0, _GV0 = (encode_variable(Variable(scope, 0))[0] for scope in (LOCAL, GLOBAL))
+_SHORT = 32  # numbers and indexes below this one are one byte
+_NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32)
+_COMMON = b"\0."  # bytes that are often twice in a row
+
+
+class Edit(NamedTuple):
+    """An edit at a place: bytes `at` to `end` of a frame become `new`.
+
+    kind   of the slip that it undoes
+    words  for the slip's sentence
+    extra  what makes it less likely at this place, besides the slip's own cost
+    guess  how many of the first bytes of `new` can only be guessed
+    """
+
+    kind: str
+    at: int
+    end: int
+    new: bytes
+    words: tuple[object, ...] = ()
+    extra: float = 0.0
+    guess: int = 0
+
+
+def spaced(data: bytes) -> str:
+    """Returns bytes as `0D 00`."""
+    return data.hex(" ").upper()
+
+
+def sized(body: bytes) -> bytes:
+    """Returns a frame from the counter on with its length field, which holds as much as two bytes can."""
+    return min(len(body), 0xFFFF).to_bytes(LENGTH_FIELD, "little") + body
+
+
+# The header
+
+
+def header_edits(frame: bytes) -> Iterator[Edit]:
+    """Yields the edits of a header, but for the length field's value and the sizes of memory."""
+    size = len(frame)
+    if frame[0] in (size - 1, size + 1) and frame[1]:
+        yield Edit("length-half", 1, 1, b"\0")
+    if size > 9 and frame[6] in DIRECT:
+        yield Edit("header-long", TYPE_AT, 6, b"")
+    if frame[2] in _COMMANDS:
+        length = size.to_bytes(LENGTH_FIELD, "little")
+        fits = int.from_bytes(frame[:2], "little") == size - LENGTH_FIELD
+        yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if fits else 0.0)
+        yield Edit("counter-missing", 2, 2, bytes(2), guess=2)
+    if frame[3] in _COMMANDS:
+        yield Edit("header-short", 3, 3, b"\0", guess=1)
+    if size > HEADER_SIZE + 1:
+        yield from _of_type(frame)
+        for at in range(LENGTH_FIELD, min(COMMAND_HEADER_SIZE, size - 1)):
+            if frame[at] == frame[at + 1]:
+                yield Edit("doubled", at, at + 1, b"", (frame[at],), 0.5)
+    if frame[TYPE_AT] in DIRECT:
+        yield from _of_memory(frame)
+
+
+def _of_type(frame: bytes) -> Iterator[Edit]:
+    number = frame[TYPE_AT]
+    digits = number >> 4 | (number & 15) << 4  # with its two digits swapped
+    for other, member in _COMMANDS.items():
+        if other in DIRECT or frame[TYPE_AT] in SYSTEM_BY_NUMBER:
+            yield Edit("header-short", TYPE_AT, TYPE_AT, bytes((other,)), extra=1.0, guess=1)
+        if other == number:
+            continue
+        is_near = (
+            other == digits or number ^ other == _REPLY_BIT or not ((number ^ other) & 15 and (number ^ other) >> 4)
+        )
+        extra = 1.0 * (number in _COMMANDS) + 1.0 * (not is_near) - 0.5 * (other == digits)
+        extra += 1.5 if number ^ other == _REPLY_BIT else 0.0
+        yield Edit("type", TYPE_AT, HEADER_SIZE, bytes((other,)), (number, other, member.name), extra)
+
+
+def _of_memory(frame: bytes) -> Iterator[Edit]:
+    at, end = HEADER_SIZE, COMMAND_HEADER_SIZE
+    yield Edit("memory-missing", at, at, bytes(2), extra=1.0 if frame[2] in DIRECT and not frame[3] else 0.0)
+    yield Edit("memory-half", at, at, b"\0", guess=1)
+    yield Edit("memory-half", at + 1, at + 1, b"\0", extra=0.2, guess=1)
+    if len(frame) > end and frame[at] != frame[at + 1]:
+        yield Edit("memory-swapped", at, end, frame[at:end][::-1])
+        if 0 < frame[at + 1] < 64:
+            yield Edit(
+                "memory-shift",
+                at + 1,
+                end,
+                bytes((frame[at + 1] << 2,)),
+                (frame[at + 1], spaced(bytes((frame[at + 1] << 2,)))),
+            )
+
+
+# The arguments of an operation
+
+
+class _Place(NamedTuple):
+    """A place where a parameter is expected."""
+
+    code: Code
+    operation: str
+    known: ParameterFacts  # the parameter
+    at: int
+    end: int  # after the argument; one byte further if it cannot be read
+    argument: Argument | None  # None if it cannot be read
+    following: int  # number of parameters after it
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """The parameter and its operation."""
+        return self.known.parameter.name, self.operation
+
+    @property
+    def takes_number(self) -> bool:
+        """Whether it is a whole number that the operation reads."""
+        parameter = self.known.parameter
+        is_single = parameter.length is None and parameter.role is not Role.JUMP
+        return parameter.direction is Direction.IN and parameter.type in _NUMBERS and is_single
+
+    def number(self, number: int) -> bytes:
+        """Returns a number as an argument, empty if it is not legal here."""
+        domain, limits = self.known.domain, self.known.limits
+        if domain is not None:
+            return encode_integer(number) if domain.covers(number) else b""
+        return encode_integer(number) if limits is None or limits.low <= number <= limits.high else b""
+
+
+def _raw(place: _Place) -> Iterator[Edit]:
+    data, at = place.code.data, place.at
+    is_argument = data[at] < _SHORT or data[at] in (*_WIDTHS, _LCS)
+    for width in (1, 2) if place.takes_number and place.known.parameter.type is not Type.DATA8 else (1,):
+        raw = data[at : at + width]
+        if not place.takes_number or len(raw) < width:
+            return
+        for number in {int.from_bytes(raw, "little"), int.from_bytes(raw, "little", signed=True)}:
+            new = place.number(number)
+            if new and new != raw and len(new) >= width:
+                extra = 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * (number < 0)
+                yield Edit("raw", at, at + width, new, (*place.names, number, spaced(new)), extra)
+
+
+def _width(place: _Place) -> Iterator[Edit]:
+    first = place.code.data[place.at]
+    if not place.takes_number or first not in _WIDTHS:
+        return
+    for other, width in _WIDTHS.items():
+        if other != first:
+            words = (*place.names, f"{first:02X}", f"{other:02X}", _WORDS[width])
+            yield Edit("width", place.at, place.at + 1, bytes((other,)), words, 1.0 if _LC4 in (first, other) else 0.0)
+
+
+def _label(place: _Place) -> Iterator[Edit]:
+    data, at = place.code.data, place.at
+    width = _LABELS.get(data[at])
+    if width is None or not place.takes_number or place.argument is None:
+        return
+    value = int.from_bytes(data[at + 1 : at + 1 + width], "little")
+    for number in {value, -value}:
+        new = place.number(number) if value < 1 << 31 else b""
+        if new:
+            yield Edit("label", at, at + 1 + width, new, (*place.names, number, spaced(new)), 0.5 * (number > 0))
+
+
+def _swapped(place: _Place) -> Iterator[Edit]:
+    data, at, known = place.code.data, place.at, place.known
+    width = _WIDTHS.get(data[at], 0)
+    raw = data[at + 1 : at + 1 + width]
+    if width < 2 or len(raw) < width or raw == raw[::-1] or known.parameter.direction is not Direction.IN:
+        return
+    if known.parameter.type is Type.DATAF or place.number(int.from_bytes(raw, "big", signed=True)):
+        words = (*place.names, spaced(raw[::-1]), _said(raw, known))
+        yield Edit("swapped", at + 1, at + 1 + width, raw[::-1], words)
+
+
+def _said(raw: bytes, known: ParameterFacts) -> str:
+    """Returns the number that big-endian bytes were meant as."""
+    if known.parameter.type is Type.DATAF:
+        return "a float"
+    return str(int.from_bytes(raw, "big", signed=True))
+
+
+def _text(place: _Place) -> Iterator[Edit]:
+    data, at = place.code.data, place.at
+    if not place.known.is_text or place.known.parameter.direction is not Direction.IN:
+        return
+    if data[at] in (_OLD_LCS, _LCS):
+        stop = at + 1
+        while stop < len(data) and 0x20 <= data[stop] < 0x7F:
+            stop += 1
+        for end in {stop, stop + 1, stop - 1, stop - place.following}:
+            if at < end <= len(data):
+                yield Edit("no-zero", end, end, b"\0", place.names, 0.0 if end == stop else 0.5)
+    elif 0x20 <= data[at] < 0x7F:
+        yield Edit("no-84", at, at, bytes((_LCS,)), place.names)
+    if data[at] and data.find(0, at + 1) == at + 1 + data[at]:
+        yield Edit("length-84", at, at + 1, bytes((_LCS,)), place.names)
+
+
+def _float(place: _Place) -> Iterator[Edit]:
+    argument, parameter = place.argument, place.known.parameter
+    if argument is None or argument.is_variable or parameter.type is not Type.DATAF or parameter.is_output:
+        return
+    value, data = argument.value, place.code.data[place.at + 1 : place.at + 5]
+    number = int.from_bytes(data, "little", signed=True) if isinstance(value, float) else value
+    if isinstance(number, int) and 0 < abs(number) < 1_000_000:
+        new = encode_float(number)
+        yield Edit("float", place.at, place.end, new, (*place.names, number, spaced(new)))
+
+
+def _variable(place: _Place) -> Iterator[Edit]:
+    """Yields the edits of what should be another variable."""
+    code, at, argument, known = place.code, place.at, place.argument, place.known
+    first = code.data[at]
+    if argument is not None and argument.is_variable and not argument.form.width:
+        assert isinstance(argument.value, int)
+        step = max(known.validator_alignment, known.cpu_alignment)
+        over = argument.value % step
+        for index in (argument.value - over, argument.value - over + step) if over else ():
+            new = bytes((first - argument.value + index,))
+            moved = (*place.names, step, Variable(argument.form.kind, index), spaced(new))
+            yield Edit("aligned", at, place.end, new, moved, 0.3 if index > argument.value else 0.0, guess=1)
+    if not known.parameter.is_output:
+        return
+    if _LV0 <= first < _GV0 and code.memory.globals and code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY:
+        new = bytes((first - _LV0 + _GV0,))
+        yield Edit("scope", at, at + 1, new, (*place.names, spaced(new)))
+    if first == _LC1 and at + 1 < len(code.data) and _LV0 <= code.data[at + 1] < _GV0 + _SHORT:
+        yield Edit("variable-81", at, at + 1, b"", (*place.names, spaced(code.data[at + 1 : at + 2])))
+    if first < _SHORT:
+        wants_reply = code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY
+        for scope, base, fits in (
+            (GLOBAL, _GV0, code.memory.globals or wants_reply),
+            (LOCAL, _LV0, code.memory.locals),
+        ):
+            if fits:
+                new = bytes((base + first,))
+                words = (*place.names, Variable(scope, first), spaced(new))
+                yield Edit("variable", at, at + 1, new, words, 0.5 if scope == LOCAL else 0.0)
+
+
+def _lost(place: _Place) -> Iterator[Edit]:
+    argument, at, data = place.argument, place.at, place.code.data
+    if argument is None:
+        width = _WIDTHS.get(data[at], 0)
+        if width and len(data) - at == width:
+            yield Edit("lost", len(data), len(data), b"\0", place.names, guess=1)
+        return
+    for behind in range(1, min(argument.form.width or 0, 2) + 1):
+        yield Edit("lost", at + behind, at + behind, b"\0", place.names, guess=1)
+
+
+_AT_ARGUMENT: tuple[Callable[[_Place], Iterator[Edit]], ...] = (
+    _raw,
+    _width,
+    _label,
+    _swapped,
+    _text,
+    _float,
+    _variable,
+    _lost,
+)
+
+
+def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
+    """Returns a value for a missing argument."""
+    parameter = known.parameter
+    if parameter.is_output or parameter.role in (Role.FILE, Role.ARRAY):
+        scope, most, base = (
+            (GLOBAL, code.memory.globals, _GV0) if code.memory.globals else (LOCAL, code.memory.locals, _LV0)
+        )
+        end = max([int(one.value) + 4 for one in before if one.kind == scope], default=0)
+        index = end + -end % known.alignment
+        return bytes((base + (index if index < _SHORT and index + known.size <= most else 0),))
+    if parameter.type is Type.STRING:
+        return encode_string("x")
+    if parameter.role is Role.MOTORS or parameter.type is Type.COUNT:
+        return b"\1"
+    low = known.domain.spans[0][0] if known.domain is not None and known.domain.spans else 0
+    domain = known.domain
+    return encode_integer(next((one for one in (0, 1, low) if domain is None or domain.covers(one)), 0))
+
+
+def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
+    """Yields the edits of one operation, as far as it can be read."""
+    data, size = code.data, len(code.data)
+    yield from _of_opcode(code, start, reading)
+    for at in range(start, min(reading.end + (3 if reading.is_fault else 0), size - 1)):
+        if data[at] == data[at + 1]:
+            yield Edit("doubled", at, at + 1, b"", (data[at],), 1.0 if data[at] in _COMMON else 0.0)
+    if reading.schema is None:
+        return
+    facts, arguments = operation_facts(reading.schema), reading.arguments
+    if reading.is_fault and reading.end == size:
+        left = facts.parameters[len(arguments) :]
+        new = b"".join([_filler(known, code, arguments) for known in left])
+        if len(left) > 1:
+            words = (", ".join(known.parameter.name for known in left), facts.name)
+            yield Edit("cut", size, size, new, words, 0.5 * len(left), len(new))
+    ends = [one.offset for one in arguments] + [reading.end]
+    for number, at in enumerate(ends):
+        argument = arguments[number] if number < len(arguments) else None
+        known = _expected(facts, number, argument)
+        if known is None:
+            continue
+        end = ends[number + 1] if argument is not None else min(at + 1, size)
+        place = _Place(code, facts.name, known, at, end, argument, len(facts.parameters) - number - 1)
+        yield from _of_place(place, arguments, number, ends)
+
+
+def _expected(facts: OperationFacts, number: int, argument: Argument | None) -> ParameterFacts | None:
+    if argument is not None:
+        return facts.of(number, argument.parameter)
+    return facts.parameters[number] if number < len(facts.parameters) else None
+
+
+def _of_place(place: _Place, arguments: list[Argument], number: int, ends: list[int]) -> Iterator[Edit]:
+    at, end, data = place.at, place.end, place.code.data
+    is_layer = place.known.parameter.role is Role.LAYER
+    new = b"\0" if is_layer else _filler(place.known, place.code, arguments)
+    extra = (-1.0 if is_layer else 0.0) + (0.3 if place.argument is None else 0.0)
+    yield Edit("missing", at, at, new, place.names, extra, 0 if is_layer else len(new))
+    if at >= len(data):
+        return
+    for edits in _AT_ARGUMENT:
+        yield from edits(place)
+    if place.argument is None:
+        return
+    is_twice = data[at:end] == data[end : end + end - at] and number + 1 < len(arguments)
+    yield Edit("extra", at, end, b"", place.names, -1.0 if is_twice else 0.0)
+    if number + 1 < len(arguments) and not is_twice:
+        after = ends[number + 2]
+        words = (place.names[0], arguments[number + 1].name, place.operation)
+        yield Edit("order", at, after, data[end:after] + data[at:end], words)
+
+
+def _of_opcode(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
+    schema, family = reading.schema, code.set.families[code.data[start]]
+    if schema is not None and Effect.ENDS_CODE in schema.declaration.effects:
+        yield Edit("end", start, start + 1, b"")
+    if family is not None:
+        for cmd in family.short:
+            yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (family.opcode.name,), guess=1)
+    elif schema is not None and schema.declaration.parameters:
+        for other in _shorter(code, schema):
+            words = (schema.declaration.name, schema.declaration.parameters[-1].name, other.declaration.name)
+            distance = abs(other.head[0] - schema.head[0])
+            yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
+
+
+def _shorter(code: Code, schema: OperationSchema) -> Iterator[OperationSchema]:
+    """Yields the operations around one in the table that take its first parameters, but not the last."""
+    wanted = [one.name for one in schema.declaration.parameters[:-1]]
+    for number in range(max(schema.head[0] - 3, 0), min(schema.head[0] + 4, 256)):
+        other = code.set.opcodes[number]
+        if other is not None and wanted and [one.name for one in other.declaration.parameters] == wanted:
+            yield other
+
+
+# The same everywhere
+
+
+def whole_edits(code: Code) -> Iterator[Edit]:
+    """Yields the edits of all operations at once: a slip out of habit."""
+    yield from _no_layers(code)
+    yield from _all_swapped(code)
+
+
+def _no_layers(code: Code) -> Iterator[Edit]:
+    data, at = code.data, COMMAND_HEADER_SIZE
+    new, names = b"", []
+    while at < len(data):
+        local, place = data[at:], 1
+        schema, family = code.set.opcodes[data[at]], code.set.families[data[at]]
+        if family is not None:
+            schema, place = family.short.get(data[at + 1] if at + 1 < len(data) else -1), 2
+        is_missing = schema is not None and any(one.role is Role.LAYER for one in schema.declaration.parameters[:1])
+        if is_missing and schema is not None:
+            local = local[:place] + b"\0" + local[place:]
+            names.append(schema.declaration.name)
+        reading = code.read(local, 0)
+        if reading.is_fault:
+            return
+        new += local[: reading.end]
+        at += reading.end - is_missing
+    if len(names) > 1:
+        yield Edit("no-layers", COMMAND_HEADER_SIZE, len(data), new, (len(names), names[0]))
+
+
+def _all_swapped(code: Code) -> Iterator[Edit]:
+    numbers = [
+        one
+        for _, reading in code.first
+        for one in reading.arguments
+        if one.encoding == "LC2" and not one.parameter.is_output
+    ]
+    if len(numbers) < 2:
+        return
+    new, extra = bytearray(code.data), 0.0
+    for one in numbers:
+        new[one.offset + 1 : one.offset + 3] = one.raw[:0:-1]
+        meant = int.from_bytes(one.raw[1:], "big", signed=True)
+        extra += -0.5 if 0 <= meant < int(one.value) or int(one.value) < 0 <= meant else 1.0
+    at, end = numbers[0].offset, numbers[-1].offset + 3
+    raw = numbers[0].raw[1:]
+    words = (len(numbers), spaced(raw[::-1]), int.from_bytes(raw, "big", signed=True))
+    yield Edit("all-swapped", at, end, bytes(new[at:end]), words, extra)
+
+
+# System commands
+
+_USUAL_SIZE = 1000  # bytes to ask for
+
+
+def system_edits(frame: bytes) -> Iterator[Edit]:
+    """Yields the edits of a system command."""
+    entry = SYSTEM_BY_NUMBER.get(frame[HEADER_SIZE])
+    if entry is None:
+        return
+    at = HEADER_SIZE + 1
+    for field in entry.request:
+        if at > len(frame):
+            return
+        yield from _of_field(frame, at, field, entry)
+        if field.kind in NUMBERS:
+            at += int(NUMBERS[field.kind].sizeof())
+        elif field.kind is Kind.TEXT:
+            at = frame.find(0, at) + 1 or len(frame)
+        elif field.kind is Kind.COUNTED_TEXT:
+            at += frame[at - 1]
+    for place in range(HEADER_SIZE, min(len(frame) - 1, 80)):
+        if frame[place] == frame[place + 1]:
+            yield Edit("doubled", place, place + 1, b"", (frame[place],), 2.0 if frame[place] in _COMMON else 1.0)
+
+
+def _of_field(frame: bytes, at: int, field: Field, entry: Entry) -> Iterator[Edit]:
+    names = field.name, entry.name
+    if field.counts is not None:
+        yield from _of_count(frame, at, field, entry)
+    elif field.kind in NUMBERS:
+        width = int(NUMBERS[field.kind].sizeof())
+        value = frame[at : at + width]
+        yield Edit("no-field", at, at, (_USUAL_SIZE if width == 2 else 0).to_bytes(width, "little"), names, guess=width)
+        if value != value[::-1]:
+            meant = int.from_bytes(value, "big")
+            yield Edit("swapped", at, at + width, value[::-1], (*names, spaced(value[::-1]), meant))
+    elif field.kind is Kind.TEXT:
+        yield Edit("no-zero", len(frame), len(frame), b"\0", names)
+    elif field.kind is Kind.COUNTED_TEXT:
+        for count in (frame[at - 1], frame[at - 1] - 1):
+            if 0 < count <= len(frame) - at and frame[at + count - 1]:
+                yield Edit("no-zero", at + count, at + count, b"\0", names, 0.2 if count == frame[at - 1] else 0.0)
+
+
+def _of_count(frame: bytes, at: int, field: Field, entry: Entry) -> Iterator[Edit]:
+    """Yields the edits of a field that counts the bytes of another."""
+    width = int(NUMBERS[field.kind].sizeof())
+    is_text = next(one for one in entry.request if one.name == field.counts).kind is Kind.COUNTED_TEXT
+    value, names = frame[at : at + width], (field.name, entry.name)
+    zero = frame[at + width :].find(0)
+    looks_like_text = all(0x30 <= byte < 0x7F for byte in value)
+    for number, extra in ((zero + 1, 0.0), (zero, 0.3)) if is_text else ((len(frame) - at - width, 0.0),):
+        if 0 < number < 1 << 8 * width:
+            new = number.to_bytes(width, "little")
+            words = (*names, int.from_bytes(value, "little"), number)
+            yield Edit("field", at, at + width, new, words, extra + (2.5 if looks_like_text else 0.0))
+    missing = frame[at:].find(0) + 1 if is_text else len(frame) - at
+    if 0 < missing < 1 << 8 * width:
+        yield Edit("no-field", at, at, missing.to_bytes(width, "little"), names)

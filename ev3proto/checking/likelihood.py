@@ -1,0 +1,218 @@
+"""How likely code is what its author meant: a cost for each operation, which grows with unusual values.
+
+`Code` reads from any offset, and each offset only once, so trying an edit of one operation reads that operation alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import NamedTuple
+
+from ev3proto.errors import DecodeError
+from ev3proto.messages import Argument
+from ev3proto.schema.argument import encode_integer, read_arguments
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, read_memory
+from ev3proto.schema.instructions import OperationSchema, instruction_set
+from ev3proto.semantics.facts import ParameterFacts, operation_facts
+from ev3proto.semantics.flow import is_label
+from ev3proto.tables import AREAS
+from ev3proto.tables.declaration import Direction, Effect, Role, Type
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+
+FAULT = 12.0
+"""The cost of an operation that cannot be read."""
+
+_WRONG_KIND = 8.0  # a text for a number, a number for a text, a constant for a result
+_LONGER = 0.6  # an encoding longer than needed
+
+_USUAL = frozenset(code.number for area in ("ui", "timer", "sound", "input", "output", "com") for code in AREAS[area])
+"""The opcodes of what people send: they move, play, draw and measure; programs also compute and jump."""
+
+_RARE_EFFECTS = {Effect.NEVER_RUNS: FAULT, Effect.OF_PROGRAMS: 4.0, Effect.FAILS: 4.0}
+_UNUSUAL, _NEWER, _NO_OPERATION = 1.5, 2.0, 1.5
+
+
+@cache
+def rarity(schema: OperationSchema) -> float:
+    """Returns the cost of an operation itself, whatever its arguments."""
+    declaration = schema.declaration
+    cost = sum(_RARE_EFFECTS.get(effect, 0.0) for effect in declaration.effects)
+    cost += 0.0 if declaration.opcode.number in _USUAL else _UNUSUAL
+    cost += _NO_OPERATION if not declaration.parameters and not declaration.effects else 0.0
+    return cost + (_NEWER if declaration.is_newer else 0.0)
+
+
+class _Memory(NamedTuple):
+    """The memory of a command: the bytes that its header requests, the variables that its operations write."""
+
+    globals: int
+    locals: int
+    written: frozenset[tuple[str, object]] = frozenset()
+
+
+def _of_variable(known: ParameterFacts, argument: Argument, memory: _Memory) -> float:
+    form, index = argument.form, argument.value
+    assert isinstance(index, int)
+    is_filled = known.is_written or known.is_counted or (form.kind, index) in memory.written
+    cost = 0.0 if is_filled else 2.5
+    if form.handle or form.address:
+        return cost + 2.0
+    cost += 4.0 if index + known.size > (memory.globals if form.kind == GLOBAL else memory.locals) else 0.0
+    cost += 6.0 if index % known.validator_alignment else 0.0
+    return cost + (_LONGER if form.width and index < 32 else 0.0)
+
+
+def _of_label(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
+    return 0.5 if known.parameter.role is Role.JUMP and is_label(argument) else _WRONG_KIND
+
+
+def _of_text(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
+    parameter, text = known.parameter, str(argument.value)
+    if known.is_written or not (known.is_text or parameter.length is not None or parameter.type is Type.ARRAY_TYPED):
+        return _WRONG_KIND
+    cost = 3.0 if argument.form.name != "LCS" or argument.form.handle or argument.form.address else 0.0
+    odd = sum([0.0 if " " <= one <= "~" else 1.0 if one >= "\xa0" else 4.0 for one in text if one not in "\n\t"])
+    return cost + (min(odd, 6.0) if text else 1.0)
+
+
+def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
+    parameter, value = known.parameter, argument.value
+    if argument.form.handle or argument.form.address:
+        return 6.0
+    if parameter.direction is not Direction.IN or (known.is_text and parameter.length is None):
+        return _WRONG_KIND
+    if isinstance(value, float):
+        return 0.0 if value == 0 or (math.isfinite(value) and 1e-5 < abs(value) < 1e9) else 5.0
+    assert isinstance(value, int)
+    if parameter.type is Type.DATAF:
+        return 6.0 if value and parameter.length is None else 0.0
+    cost = 2.0 if parameter.role is Role.LAYER and value else 0.0
+    cost += _LONGER if argument.form.width and len(encode_integer(value)) <= argument.form.width else 0.0
+    return cost if value in known.legal else cost + _beyond(known, value)
+
+
+def _beyond(known: ParameterFacts, value: int) -> float:
+    """Returns the cost of a number that is not documented, or does not fit its type."""
+    domain, limits = known.domain, known.limits
+    if domain is not None and domain.covers(value):
+        return 0.0
+    spans = domain.spans if domain is not None and not domain.has_names else ()
+    if value > 15 and any(1.5 * min(low, 0) <= value <= 1.5 * high for low, high in spans):
+        return 3.0
+    return 5.0 if limits is None or limits.low <= value <= limits.high else 7.0
+
+
+_OF: dict[str, Callable[[ParameterFacts, Argument, _Memory], float]] = {
+    LOCAL: _of_variable,
+    GLOBAL: _of_variable,
+    JUMP: _of_label,
+    TEXT: _of_text,
+    CONSTANT: _of_constant,
+}
+
+
+class Reading(NamedTuple):
+    """One operation, as far as it can be read, and its cost."""
+
+    end: int  # after it, or where it cannot be read on
+    cost: float
+    schema: OperationSchema | None
+    arguments: list[Argument]
+    is_fault: bool = False
+
+
+class Code:
+    """The code of a direct command, at least one byte after its header.
+
+    data    the whole frame
+    memory  what its header requests, what its operations write
+    first   its operations in order, up to the first that cannot be read, by their offsets
+    """
+
+    def __init__(self, data: bytes, dialect: str) -> None:
+        self.data = data
+        self.set = instruction_set(dialect)
+        self.memory = _Memory(*read_memory(data))
+        self._rest: dict[int, float] = {len(data): 0.0}
+        self.first = self._chain()
+        written = frozenset(
+            (one.form.kind, one.value)
+            for _, reading in self.first
+            for one in reading.arguments
+            if one.is_variable and one.parameter.is_output
+        )
+        if written:
+            self.memory = self.memory._replace(written=written)
+            self.first = self._chain()
+
+    def _chain(self) -> list[tuple[int, Reading]]:
+        found: list[tuple[int, Reading]] = []
+        at: int = COMMAND_HEADER_SIZE
+        while at < len(self.data):
+            found.append((at, self.read(self.data, at)))
+            if found[-1][1].is_fault:
+                break
+            at = found[-1][1].end
+        return found
+
+    @property
+    def rarity(self) -> float:
+        """The part of its cost that its operations have whatever their arguments are."""
+        return sum(rarity(reading.schema) for _, reading in self.first if reading.schema is not None)
+
+    def read(self, data: bytes, at: int) -> Reading:
+        """Reads the operation at an offset of some bytes."""
+        found: list[Argument] = []
+        end, size = at, len(data)
+        schema = self.set.opcodes[data[at]]
+        try:
+            if schema is None:
+                schema, end = self.set.select(data, at, size)
+            else:
+                end = at + 1
+            end = read_arguments(schema.readers, data, end, size, found)
+            if schema.list_parameter is not None:
+                end = read_arguments(schema.elements(found, size - end), data, end, size, found)
+        except DecodeError:
+            stop = found[-1].offset + found[-1].length if found else end
+            return Reading(stop, FAULT + (self._cost(schema, found) if schema else 0.0), schema, found, True)
+        if Effect.ENDS_CODE in schema.declaration.effects:
+            return Reading(end, 0.5 if end == size else FAULT, schema, found)
+        return Reading(end, self._cost(schema, found), schema, found)
+
+    def _cost(self, schema: OperationSchema, found: list[Argument]) -> float:
+        facts, memory = operation_facts(schema), self.memory
+        costs = [_OF[one.form.kind](facts.of(number, one.parameter), one, memory) for number, one in enumerate(found)]
+        return rarity(schema) + sum(costs)
+
+    def rest(self, at: int = COMMAND_HEADER_SIZE) -> float:
+        """Returns the cost of everything from an offset on."""
+        known, path = self._rest, []
+        while at not in known:
+            reading = self.read(self.data, at)
+            if reading.is_fault:
+                known[at] = reading.cost
+            else:
+                path.append((at, reading.cost))
+                at = reading.end
+        total = known[at]
+        for start, cost in reversed(path):
+            total = known[start] = total + cost
+        return total
+
+    def edited(self, start: int, at: int, end: int, new: bytes, *, is_guess: bool) -> float | None:
+        """Returns the cost of the operation at `start`, in which bytes `at` to `end` become `new`, and of what follows.
+
+        None if the edit does not lead to an operation that reaches beyond it.
+        """
+        local = self.data[start:at] + new + self.data[end:]
+        if not local:
+            return None
+        reading, stop = self.read(local, 0), at - start + len(new)
+        if reading.end < stop or (reading.is_fault and (is_guess or reading.end == stop)):
+            return None
+        if reading.is_fault:
+            return reading.cost - len(reading.arguments)  # the same slip again may be what it lacks
+        return reading.cost + self.rest(start + reading.end - len(new) + end - at)

@@ -1,0 +1,357 @@
+"""The nearest right frame: what was meant by a frame with one slip.
+
+Every slip is undone by an edit of `edits`. A candidate costs its edit and what is read then; `check` judges the
+cheapest few. Silence has a cost, too: that of the findings. So the answer is the cheapest right frame, if it is cheaper
+than to say nothing, and not so dear that many other slips would explain the bytes as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from typing import NamedTuple
+
+from ev3proto.checking.checking import check
+from ev3proto.checking.edits import (
+    DIRECT,
+    SYSTEM,
+    TYPE_AT,
+    Edit,
+    header_edits,
+    operation_edits,
+    sized,
+    spaced,
+    system_edits,
+    whole_edits,
+)
+from ev3proto.checking.likelihood import FAULT, Code
+from ev3proto.checking.report import Report, Suggestion
+from ev3proto.checking.slips import SLIPS
+from ev3proto.messages import DirectCommand
+from ev3proto.schema.frame import read_last
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, write_memory
+from ev3proto.semantics.footprint import footprints, needed
+from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+
+SURE = 3.6
+"""The cost up to which a suggestion without a guess is certain enough for a fix."""
+
+_MOST = 8.0  # the cost above which nothing is said: too many other slips are as likely
+_MARGIN = 0.4  # how much better than silence
+_TIE = 0.7  # the difference up to which two are equally likely
+_REPEATED, _MOST_REPEATED = 0.7, 8  # the cost of the same slip again, and how often it is looked for
+_FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is looked for, and their cost at most
+_OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
+_COPIED = -1.5  # the length was right before a slip in copying
+_LARGE_COUNTER = 1.5  # a counter of 32768 and more
+
+# Bounds on what is tried for one frame.
+_SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
+_MOST_TRIED = 6000  # edits
+_MOST_JUDGED = 14  # candidates that `check` judges in a round
+_MOST_CHECKED = 12_000  # bytes of all candidates that `check` judges
+_MOST_OPERATIONS = 8  # operations in which edits are tried, around the first suspicious one
+_SUSPICIOUS = 2.0  # the cost of an operation from which on it is
+
+_WEIGHTS = {
+    **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
+    **{"W": 5.0, "W201": 0.5, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0, "W804": 1.0, "W805": 2.0},
+    **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.5},
+}
+"""Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
+_REFUSED = 6.0
+
+
+class _Candidate(NamedTuple):
+    """A frame that may have been meant.
+
+    edits   what leads to it, one after the other, of one kind
+    price   the cost of the edits
+    read    the cost of what is read then
+    start   of the operation that is edited, 0 for others
+    """
+
+    edits: tuple[Edit, ...]
+    price: float
+    read: float
+    frame: bytes
+    start: int = 0
+
+
+class _Judged(NamedTuple):
+    """A candidate with what `check` says of it.
+
+    cost   of all
+    doubt  the same without the rarity of its operations
+    """
+
+    cost: float
+    doubt: float
+    candidate: _Candidate
+    is_right: bool
+
+
+@lru_cache(32)
+def nearest(report: Report) -> tuple[Suggestion, ...]:
+    """Returns what was probably meant by a frame: nothing, one frame, or two that are equally likely."""
+    if not _SHORTEST <= len(report.frame) <= _LONGEST or not report.findings:
+        return ()
+    return _Search(report).suggestions()
+
+
+class _Search:
+    """The search for what one frame was meant to be."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._frame, self._dialect = report.frame, report.dialect
+        self._tries, self._bytes = _MOST_TRIED, _MOST_CHECKED
+
+    def suggestions(self) -> tuple[Suggestion, ...]:
+        """Returns the best candidates, if they are better than silence."""
+        rarity, doubt = self._costs(self._frame, self._report)
+        found = self._best(self._frame)
+        right = [one for one in found if one.is_right]
+        if doubt >= FAULT and (not right or right[0].doubt > _MOST_OF_FIRST):
+            right = sorted([*right, *self._repeated(found)], key=_by_cost)
+        if not right or right[0].cost > rarity + doubt - _MARGIN or right[0].doubt > _MOST:
+            return ()
+        said: list[_Judged] = []
+        for one in right:
+            is_new = all(_place(one) != _place(other) for other in said)
+            if one.cost <= right[0].cost + _TIE and is_new and len(said) < 2:
+                said.append(one)
+        return tuple(_suggestion(one, is_alone=len(said) == 1) for one in said)
+
+    # Judging
+
+    def _costs(self, frame: bytes, report: Report) -> tuple[float, float]:
+        """Returns the costs of a frame: of its operations themselves, and the worse of its values and its findings."""
+        weight = 0.0 if report.accepted else _REFUSED
+        for code in [finding.code for finding in report.findings]:
+            own = next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
+            weight += own + (own if code == "H401" and read_memory(frame)[0] > 255 else 0.0)
+            if not report.accepted and own <= 1 and code[0] == "E":
+                weight -= _REFUSED
+        if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
+            return 0.0, weight
+        code_ = Code(frame, self._dialect)
+        rarity = code_.rarity
+        return rarity, max(weight, code_.rest() - rarity)
+
+    def _check(self, frame: bytes) -> Report:
+        self._bytes -= len(frame)
+        return check(frame, dialect=self._dialect, carrier=self._report.carrier, alone=self._report.alone)
+
+    def _judged(self, candidate: _Candidate) -> _Judged:
+        report = self._check(candidate.frame)
+        if report.errors and {finding.code for finding in report.errors} <= {"E401", "E402"}:
+            fitted = _with_memory(candidate.frame, self._dialect)
+            if fitted != candidate.frame:
+                price = candidate.price + SLIPS["memory-size"].cost
+                candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
+        rarity, doubt = self._costs(candidate.frame, report)
+        doubt += candidate.price
+        return _Judged(rarity + doubt, doubt, candidate, report.accepted and not report.errors)
+
+    def _best(self, frame: bytes, before: _Candidate | None = None) -> list[_Judged]:
+        """Returns the best candidates one edit away, as `check` judges them; after another, those of the same kind."""
+        best: dict[bytes, _Candidate] = {}
+        for one in self._candidates(frame, before):
+            other = best.get(one.frame)
+            if other is None or one.price + one.read < other.price + other.read:
+                best[one.frame] = one
+        best.pop(frame, None)
+        found = []
+        for one in sorted(best.values(), key=lambda each: each.price + each.read)[:_MOST_JUDGED]:
+            if self._bytes > 0:
+                found.append(self._judged(one))
+        return sorted(found, key=_by_cost)
+
+    def _repeated(self, found: list[_Judged]) -> Iterator[_Judged]:
+        """Yields right frames that several edits of one kind lead to: a slip out of habit."""
+        for first in found[:_FIRSTS]:
+            last, is_guess = first, first.candidate.edits[0].guess
+            while last.candidate.price <= _MOST_OF_FIRST + _REPEATED * _MOST_REPEATED and not is_guess:
+                after = self._best(last.candidate.frame, last.candidate)
+                if not after:
+                    break
+                if after[0].is_right:
+                    yield after[0]
+                if after[0].is_right or after[0].doubt >= last.doubt:
+                    break
+                last = after[0]
+
+    # Candidates
+
+    def _candidates(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
+        """Yields the candidates one edit away; after another candidate, those of the same kind."""
+        if before is None:
+            yield from self._with_other_length(frame)
+            for edit in header_edits(frame):
+                yield self._with_header(frame, edit)
+        if len(frame) <= COMMAND_HEADER_SIZE:
+            return
+        if frame[TYPE_AT] in DIRECT:
+            if before is None:
+                yield from self._with_other_memory(frame)
+            yield from self._with_code(frame, before)
+        elif frame[TYPE_AT] in SYSTEM:
+            for edit in system_edits(frame):
+                new, price = self._applied(frame, edit)
+                yield _Candidate((edit,), price, 0.0, new)
+
+    def _applied(self, frame: bytes, edit: Edit) -> tuple[bytes, float]:
+        """Returns a frame after an edit, with a length that fits, and the cost of both."""
+        new = frame[: edit.at] + edit.new + frame[edit.end :]
+        price = SLIPS[edit.kind].cost + edit.extra
+        if edit.kind == "length-missing":
+            return new, price
+        if edit.kind == "length-half" or _stated(frame) == len(frame):
+            return sized(new[LENGTH_FIELD:]), price
+        if _stated(frame) == len(new):
+            return new, price + _COPIED
+        return sized(new[LENGTH_FIELD:]), price + _OTHER_LENGTH
+
+    def _read(self, frame: bytes) -> float:
+        """Returns the cost of a frame's code."""
+        is_code = len(frame) > COMMAND_HEADER_SIZE and frame[TYPE_AT] in DIRECT
+        return Code(frame, self._dialect).rest() if is_code else 0.0
+
+    def _with_other_length(self, frame: bytes) -> Iterator[_Candidate]:
+        stated, size = _stated(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
+        if stated == size:
+            return
+        new = sized(frame[LENGTH_FIELD:])
+        kind = "length"
+        if stated == size + LENGTH_FIELD:
+            kind = "length-self"
+        elif frame[1::-1] == new[:LENGTH_FIELD]:
+            kind = "length-swapped"
+        elif f"{stated:x}" == str(size):
+            kind = "length-decimal"
+        words = (size, spaced(new[:LENGTH_FIELD]), stated, spaced(frame[:LENGTH_FIELD]))
+        edit = Edit(kind, 0, LENGTH_FIELD, new[:LENGTH_FIELD], words)
+        yield _Candidate((edit,), SLIPS[kind].cost, self._read(new), new)
+
+    def _with_header(self, frame: bytes, edit: Edit) -> _Candidate:
+        new, price = self._applied(frame, edit)
+        price += _LARGE_COUNTER if new[3] >= 0x80 else 0.0
+        if edit.kind in ("memory-missing", "memory-half"):
+            new = _with_memory(new, self._dialect)
+        elif edit.kind in ("memory-swapped", "memory-shift"):
+            sizes = needed_memory(new, self._dialect)
+            price += 5.0 if sizes is None or not any(sizes) else -1.5 if sizes == read_memory(new) else 0.0
+        return _Candidate((edit,), price, self._read(new), new)
+
+    def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:
+        """Yields the frame with the memory that its operations use, and with a reply if they have results."""
+        base = _OTHER_LENGTH if _stated(frame) != len(frame) else 0.0
+        whole = sized(frame[LENGTH_FIELD:])
+        new = _with_memory(whole, self._dialect)
+        sizes, asked = needed_memory(whole, self._dialect) or (0, 0), read_memory(frame)
+        words = (*sizes, *asked)
+        edit = Edit("memory-size", HEADER_SIZE, COMMAND_HEADER_SIZE, new[HEADER_SIZE:COMMAND_HEADER_SIZE], words)
+        if new != whole:
+            yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
+        message = read_last(whole, self._dialect)
+        results = [one for one in message.operations if one.has_outputs] if isinstance(message, DirectCommand) else []
+        if frame[TYPE_AT] == MessageType.DIRECT_COMMAND_NO_REPLY and results and sizes[0]:
+            reply = bytes((MessageType.DIRECT_COMMAND_REPLY,))
+            edit = Edit("no-reply", TYPE_AT, HEADER_SIZE, reply, (results[0].full_name,))
+            new = whole[:TYPE_AT] + reply + whole[HEADER_SIZE:]
+            yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
+
+    def _with_code(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
+        kind = before.edits[0].kind if before is not None else None
+        code = Code(frame, self._dialect)
+        for edit in whole_edits(code) if before is None else ():
+            new, price = self._applied(frame, edit)
+            yield _Candidate((edit,), price, self._read(new), new, COMMAND_HEADER_SIZE)
+        costs = [reading.cost for _, reading in code.first]
+        is_clean = max(costs, default=0.0) < _SUSPICIOUS
+        for number in _suspicious(code, costs):
+            start, reading = code.first[number]
+            for edit in operation_edits(code, start, reading):
+                if self._tries <= 0:
+                    return
+                if kind is not None and edit.kind != kind:
+                    continue
+                self._tries -= 1
+                cost = code.edited(start, edit.at, edit.end, edit.new, is_guess=edit.guess > 0)
+                if cost is None:
+                    continue
+                new, price = self._applied(frame, edit)
+                if is_clean and edit.guess:
+                    price += 1.0
+                if before is not None:
+                    price = before.price + _REPEATED
+                edits = (edit,) if before is None else (*before.edits, edit)
+                yield _Candidate(edits, price, sum(costs[:number]) + cost, new, start)
+
+
+def _by_cost(one: _Judged) -> float:
+    return one.cost
+
+
+def _place(one: _Judged) -> object:
+    """Returns what two suggestions of which only one is worth saying have in common: what is missing, or the frame."""
+    edit = one.candidate.edits[0]
+    return (edit.kind, edit.at) if edit.guess else one.candidate.frame
+
+
+def _stated(frame: bytes) -> int:
+    """Returns the size of a frame by its length field."""
+    return int.from_bytes(frame[:LENGTH_FIELD], "little") + LENGTH_FIELD
+
+
+def _suspicious(code: Code, costs: list[float]) -> Iterable[int]:
+    """Returns the numbers of the operations in which edits are tried, the last first."""
+    last = len(costs) - 1
+    bad = [number for number, cost in enumerate(costs) if cost >= _SUSPICIOUS]
+    if not bad:
+        bad = [0, last]
+    first = max(bad[0] - 3, 0)
+    numbers = set(range(first, min(bad[-1], first + _MOST_OPERATIONS) + 1))
+    if code.first and code.first[-1][1].is_fault:
+        numbers |= set(range(max(last - 3, 0), last + 1))
+    return sorted(numbers, reverse=True)
+
+
+def needed_memory(frame: bytes, dialect: str) -> tuple[int, int] | None:
+    """Returns the bytes of global and local memory that the operations of a frame use, None if that is unknown."""
+    message = read_last(frame, dialect)
+    if not isinstance(message, DirectCommand) or message.fault is not None:
+        return None
+    places = [place for operation in message.operations for place in footprints(operation)]
+    sizes = []
+    for scope in (GLOBAL, LOCAL):
+        own = [place for place in places if place.argument.form.kind == scope]
+        sizes.append(needed(own) or max([place.end for place in own], default=0))
+    return (sizes[0], sizes[1]) if sizes[0] <= MAX_FRAME - HEADER_SIZE and sizes[1] <= MAX_LOCALS else None
+
+
+def _with_memory(frame: bytes, dialect: str) -> bytes:
+    """Returns a frame that requests at least the memory that its operations use."""
+    sizes = needed_memory(frame, dialect)
+    if sizes is None:
+        return frame
+    asked = read_memory(frame)
+    word = write_memory(max(sizes[0], asked[0]), max(sizes[1], asked[1]))
+    return frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
+
+
+def _suggestion(judged: _Judged, *, is_alone: bool) -> Suggestion:
+    edits, frame = judged.candidate.edits, judged.candidate.frame
+    first = edits[0]
+    message = SLIPS[first.kind].sentence.format(*first.words)
+    if len(edits) > 1:
+        message += f"; the same in {len(edits) - 1} more place{'s' if len(edits) > 2 else ''}"
+    unknown: list[tuple[int, int]] = []
+    for edit in edits:
+        moved = len(edit.new) - edit.end + edit.at
+        unknown = [(at + moved if at >= edit.end else at, size) for at, size in unknown]
+        unknown += [(edit.at, edit.guess)] if edit.guess else []
+    is_sure = is_alone and not unknown and judged.doubt <= SURE
+    return Suggestion(first.kind, first.at, first.end - first.at, message, frame, tuple(unknown), is_sure)

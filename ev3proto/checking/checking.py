@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from operator import attrgetter
 
-from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.alone import check_alone
@@ -13,14 +11,12 @@ from ev3proto.checking.rules.arguments import check_arguments, check_lists
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
-from ev3proto.checking.rules.raw_bytes import is_swallowing
 from ev3proto.checking.rules.refused_when_run import check_failures
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, with_length
-from ev3proto.semantics.mangled import mangled
+from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -55,10 +51,7 @@ def check(
     elif type(frame) is not bytes:
         frame = as_bytes(frame, "a frame")
     context = _context(frame, dialect, carrier, alone)
-    findings = _in_order(_unswapped(context, _findings(context)))
-    if findings and (text := mangled(frame)) is not None:
-        # All other findings follow from this one.
-        findings = [codes.MANGLED.finding(*text)]
+    findings = _in_order(_findings(context))
     accepted, rejected_at = _answer(context, findings)
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier, alone)
 
@@ -80,10 +73,7 @@ def _in_order(findings: list[Finding]) -> list[Finding]:
     return sorted([*errors, *warnings, *hints], key=_OFFSET)
 
 
-_OF_MEMORY = {code.code for code in (codes.BEYOND_LOCALS, codes.BEYOND_GLOBALS, codes.RAW_BYTE)}
 _NO_EFFECTS: frozenset[Effect] = frozenset()
-_MOST_BY_HAND = 64
-"""Errors typical of frames written by hand."""
 
 
 def _context(frame: bytes, dialect: str, carrier: str | None, alone: bool) -> CheckContext:
@@ -104,45 +94,15 @@ def _context(frame: bytes, dialect: str, carrier: str | None, alone: bool) -> Ch
     )
 
 
-def _unswapped(context: CheckContext, findings: list[Finding]) -> list[Finding]:
-    """Returns the findings; those that would go if the memory word's bytes were swapped become one."""
-    frame, end = context.frame, COMMAND_HEADER_SIZE
-    errors = [finding for finding in findings if finding.severity is _ERROR]
-    if not 0 < len(errors) <= _MOST_BY_HAND or {error.code for error in errors} - _OF_MEMORY:
-        return findings
-    word = frame[HEADER_SIZE:end][::-1]
-    if word == frame[HEADER_SIZE:end]:
-        return findings
-    other = _findings(
-        _context(frame[:HEADER_SIZE] + word + frame[end:], context.dialect, context.carrier, context.is_alone)
-    )
-    if not {*other} < {*findings} or any(finding.severity is _ERROR for finding in other):
-        return findings
-    help_text = f"did you swap these two bytes? The low byte comes first: {word.hex(' ').upper()}"
-    one = replace(errors[0], offset=HEADER_SIZE, length=MEMORY_SIZE, help=help_text)
-    return [one, *other]
-
-
-def swapped(report: Report) -> bytes | None:
-    """Returns the frame with the bytes of its memory word swapped, if a check found them in the wrong order."""
-    beyond = (codes.BEYOND_LOCALS.code, codes.BEYOND_GLOBALS.code)
-    if not any(finding.offset == HEADER_SIZE and finding.code in beyond for finding in report.findings):
-        return None
-    frame = report.frame
-    return frame[:HEADER_SIZE] + frame[HEADER_SIZE:COMMAND_HEADER_SIZE][::-1] + frame[COMMAND_HEADER_SIZE:]
-
-
 def _findings(context: CheckContext) -> list[Finding]:
     found = list(check_envelope(context))
     message = context.message
     if isinstance(message, DirectCommand):
         found += check_command_header(context, message)
         if context.end > MAX_FRAME:
-            return [*found, *check_refusals(context, is_out_of_step=False)]  # the brick reads none of its bytes
-        inside: list[Finding] = []
-        local, shared = check_arguments(context, inside)
-        found += check_refusals(context, is_out_of_step=any(map(is_swallowing, inside)))
-        found += inside
+            return [*found, *check_refusals(context)]  # the brick reads none of its bytes
+        found += check_refusals(context)
+        local, shared = check_arguments(context, found)
         found += check_lists(context.operations)
         found += check_memory(context, message, local, shared)
         found += check_flow(context)

@@ -155,18 +155,6 @@ REFUSED_MEMORY = _code(
     _sized("2A:00|00|FF:03|81:01:60"),
     VOLTAGE,
 )
-MANGLED = _code(
-    "E108",
-    "bytes that went through a text",
-    """
-    A frame is bytes. A program that makes a text of it changes them: UTF-8 writes two bytes for each above 7F, ASCII
-    a question mark (3F), a decoder that replaces what it does not know EF BF BD, and text mode 0D 0A for 0A. This
-    frame is right once that is undone, or would be if the bytes were not lost. Send bytes, and open ports and files
-    in binary mode.
-    """,
-    _frame("0E:00|2A:00|C2:80|00:00|C2:94:01:01:C2:82:C2:B8:01:C2:82:C3:A8:03"),
-    TONE,
-)
 NO_COMMAND = _code(
     "W101",
     "a reply, not a command",
@@ -408,20 +396,6 @@ INTEGER_FOR_FLOAT = _code(
     _sized("2A:00|80|00:10|3F:01:40"),
     _sized("2A:00|80|00:10|3F:83:00:00:80:3F:40"),
 )
-RAW_BYTE = _code(
-    "E306",
-    "a raw byte instead of an argument",
-    """
-    An argument begins with an identification byte, which says how its value is encoded. Only the numbers -32 to 31 are
-    a single byte (LC0). 75 is 81 4B and -100 is 81 9C: 81 says that a number of one byte follows; 82 announces two
-    bytes, the low one first.
-
-    Written without it, 4B is the variable LV(11), 64 is GV(4), 9C begins a text that takes the bytes up to the next
-    zero, and the bytes after it are not read as intended.
-    """,
-    _sized("2A:00|80|00:00|A4:00:0F:4B:A6:00:0F"),
-    _sized("2A:00|80|00:00|A4:00:0F:81:4B:A6:00:0F"),
-)
 LABEL_FOR_NUMBER = _code(
     "E307",
     "a label instead of a number",
@@ -490,17 +464,6 @@ NUMBER_AS_LABEL = _code(
     _sized("2A:00|80|00:00|A5:00:01:81:CE:A6:00:01"),
 )
 
-SMALL_NUMBER = _code(
-    "H301",
-    "a small negative number that may be a raw byte",
-    """
-    One byte without an identification byte is a number of -32 to 31 (LC0): 32 is -14, and 3C is -4. 50 and 60 are
-    written 81 32 and 81 3C. Only `check` of a single frame says so, since -14 may be meant.
-    """,
-    _sized("2A:00|80|00:00|A5:00:01:32:A6:00:01"),
-    _sized("2A:00|80|00:00|A5:00:01:81:32:A6:00:01"),
-    alone=True,
-)
 
 # 4: memory
 

@@ -354,7 +354,7 @@ def _of_place(place: _Place, arguments: list[Argument], number: int, ends: list[
     at, end, data = place.at, place.end, place.code.data
     is_layer = place.known.parameter.role is Role.LAYER
     new = b"\0" if is_layer else _filler(place.known, place.code, arguments)
-    extra = (-1.0 if is_layer else 0.0) + (0.3 if place.argument is None else 0.0)
+    extra = (-1.0 if is_layer else 0.1 * min(place.following, 3)) + (0.3 if place.argument is None else 0.0)
     yield Edit("missing", at, at, new, place.names, extra, 0 if is_layer else len(new))
     if at >= len(data):
         return

@@ -31,6 +31,7 @@ from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, write_memory
 from ev3proto.semantics.footprint import footprints, needed
+from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
 
@@ -44,6 +45,7 @@ _REPEATED, _MOST_REPEATED = 0.7, 8  # the cost of the same slip again, and how o
 _FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is looked for, and their cost at most
 _OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
 _COPIED = -1.5  # the length was right before a slip in copying
+_MOST_OF_REPLY = 11  # the cost of a long reply where commands are expected
 _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 
 # Bounds on what is tried for one frame.
@@ -61,6 +63,11 @@ _WEIGHTS = {
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
 _REFUSED = 6.0
+_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
+
+
+_CHANGED = {"utf-8": 2, "text-mode": 2, "replaced": 3, "ascii": 1}
+"""Bytes for one that went through a text."""
 
 
 class _Candidate(NamedTuple):
@@ -97,7 +104,18 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     """Returns what was probably meant by a frame: nothing, one frame, or two that are equally likely."""
     if not _SHORTEST <= len(report.frame) <= _LONGEST or not report.findings:
         return ()
-    return _Search(report).suggestions()
+    text = mangled(report.frame)
+    return _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
+
+
+def _before_text(frame: bytes, text: Mangled) -> Suggestion:
+    """Returns the frame before it went through a text, which explains all its bytes."""
+    places = enumerate(zip(frame, text.original, strict=False))
+    at = next(place for place, (one, other) in places if one != other)
+    words = (spaced(frame[at : at + 2]), spaced(text.original[at : at + 1]))
+    message = SLIPS[text.kind].sentence.format(*words)
+    lost = tuple((one, 1) for one in text.lost)
+    return Suggestion(text.kind, at, _CHANGED[text.kind], message, text.original, lost, is_sure=not lost)
 
 
 class _Search:
@@ -111,6 +129,9 @@ class _Search:
     def suggestions(self) -> tuple[Suggestion, ...]:
         """Returns the best candidates, if they are better than silence."""
         rarity, doubt = self._costs(self._frame, self._report)
+        if _is_reply(self._frame):
+            # Any bytes are a reply, but only few are a command but for its type or its counter.
+            doubt += min(len(self._frame) - HEADER_SIZE, _MOST_OF_REPLY)
         found = self._best(self._frame)
         right = [one for one in found if one.is_right]
         if doubt >= FAULT and (not right or right[0].doubt > _MOST_OF_FIRST):
@@ -128,8 +149,8 @@ class _Search:
 
     def _costs(self, frame: bytes, report: Report) -> tuple[float, float]:
         """Returns the costs of a frame: of its operations themselves, and the worse of its values and its findings."""
-        weight = 0.0 if report.accepted else _REFUSED
-        for code in [finding.code for finding in report.findings]:
+        weight = 0.0 if report.accepted or _is_reply(frame) else _REFUSED
+        for code in [finding.code for finding in report.findings if finding.code != "W101"]:
             own = next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
             weight += own + (own if code == "H401" and read_memory(frame)[0] > 255 else 0.0)
             if not report.accepted and own <= 1 and code[0] == "E":
@@ -153,7 +174,8 @@ class _Search:
                 candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
         rarity, doubt = self._costs(candidate.frame, report)
         doubt += candidate.price
-        return _Judged(rarity + doubt, doubt, candidate, report.accepted and not report.errors)
+        is_right = report.accepted or _is_reply(candidate.frame)
+        return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
 
     def _best(self, frame: bytes, before: _Candidate | None = None) -> list[_Judged]:
         """Returns the best candidates one edit away, as `check` judges them; after another, those of the same kind."""
@@ -289,6 +311,10 @@ class _Search:
                     price = before.price + _REPEATED
                 edits = (edit,) if before is None else (*before.edits, edit)
                 yield _Candidate(edits, price, sum(costs[:number]) + cost, new, start)
+
+
+def _is_reply(frame: bytes) -> bool:
+    return frame[TYPE_AT] in _REPLIES
 
 
 def _by_cost(one: _Judged) -> float:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from ev3proto.tables.frame import LENGTH_FIELD as _LENGTH
+
 
 class Severity(StrEnum):
     """The severity of a finding.
@@ -90,6 +92,19 @@ class Suggestion:
             "unknown": [list(span) for span in self.unknown],
             "sure": self.is_sure,
         }
+
+
+def difference(old: bytes, new: bytes) -> tuple[int, int, bytes]:
+    """Returns where two frames differ, but for the length: offset and end in the old one, and the new bytes there."""
+    at, shorter = _LENGTH if old[_LENGTH:] != new[_LENGTH:] else 0, min(len(old), len(new))
+    if new[_LENGTH:].endswith(old) or old[_LENGTH:].endswith(new):
+        at = 0
+    while at < shorter and old[at] == new[at]:
+        at += 1
+    same = 0
+    while same < shorter - at and old[-1 - same] == new[-1 - same]:
+        same += 1
+    return at, len(old) - same, new[at : len(new) - same]
 
 
 @dataclass(frozen=True, slots=True)

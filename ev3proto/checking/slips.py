@@ -33,9 +33,13 @@ _MAILBOX = "0A00 0100 81 9E 02 6100 0100 01"
 SLIPS = {
     # The whole frame went through a text.
     "utf-8": Slip(1, "the frame was encoded as UTF-8: {0} is here for {1}; send bytes, not a text",
-        "0F00 0100 C280 0000 C294 01 02 C282C3A803 C282C3B401", _TONE),
+        "0E00 0100 C280 0000 C294 01 02 C282C3A803 C282C3B401", _TONE),
     "text-mode": Slip(1, "0D 0A is here for 0A: the frame went through text mode; open the file or port in binary mode",
         "0800 0D0A00 00 0400 81 01 60", "0800 0A00 00 0400 81 01 60"),
+    "replaced": Slip(1, "EF BF BD is here for a byte above 7F: the frame was decoded as UTF-8; keep it as bytes",
+        "0E00 0100 EFBFBD 0000 EFBFBD 01 02 EFBFBDEFBFBD03 EFBFBDEFBFBD01", _TONE),
+    "ascii": Slip(1, "3F is here for every byte above 7F: the frame was encoded as ASCII; send bytes, not a text",
+        "0E00 0100 3F 0000 3F 01 02 3F3F03 3F3F01", _TONE),
     # The header.
     "length": Slip(3, "the length is {0} ({1}), not {2}",
         "0B00 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
@@ -50,7 +54,7 @@ SLIPS = {
     "length-half": Slip(3.5, "the length has two bytes, the low one first",
         "0D 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
     "counter-missing": Slip(3.5, "the two bytes of the message counter are missing",
-        "0B00 00 0400 81 01 60", "0800 0000 00 0400 81 01 60"),
+        "0800 81 9E 02 6100 0100 01", "0A00 0000 81 9E 02 6100 0100 01"),
     "memory-missing": Slip(3, "the two bytes that request memory are missing after the type",
         "0B00 0100 80 A5 00 01 8132 A6 00 01", _SPEED),
     "memory-half": Slip(4, "one of the two bytes that request memory is missing",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import click
@@ -15,7 +16,6 @@ from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.words import Source, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import DirectCommand, Message, Operation
-from ev3proto.semantics.mangled import mangled
 from ev3proto.tables.declaration import Effect
 from ev3proto.text.phrases import Seen
 
@@ -95,11 +95,19 @@ class Decoding:
         self._show.exchange(self._dialogue.follow(frame.message), seen, frame.rest)
         never = _never_run(frame.message)
         if fault is not None and not is_cut:
-            text = mangled(frame.message.build())
-            self.inputs.complain(f"{frame.place}: fault at {fault}{f'; {text.message}' if text else ''}")
+            said = f"{frame.place}: fault at {fault}"
+            self.inputs.complain("; ".join([said, *_meant(frame.message, self.inputs.reading.dialect)]))
         elif never is not None:
             said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
             self.inputs.complain(f"{frame.place}: {said}; `ev3proto check` says more")
+
+
+def _meant(message: Message, dialect: str) -> Iterator[str]:
+    """Yields what was probably meant by a frame with a fault."""
+    from ev3proto.checking.checking import check  # takes 15 ms, which right frames do not need
+
+    for one in check(message, dialect=dialect, alone=True).nearest:
+        yield f"did you mean: {one.message}?"
 
 
 def _never_run(message: Message) -> Operation | None:

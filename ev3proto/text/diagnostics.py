@@ -17,8 +17,9 @@ from itertools import groupby, pairwise
 from operator import attrgetter
 from textwrap import wrap
 
+from ev3proto.checking.checking import check
 from ev3proto.checking.codes import Code
-from ev3proto.checking.report import Finding, Fix, Report, Severity
+from ev3proto.checking.report import Finding, Fix, Report, Severity, Suggestion, difference
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation
 from ev3proto.schema.frame import read_last
@@ -52,6 +53,25 @@ class Excerpt:
         self._lines: dict[int, str] = {}
         self._width = 2 + len(str(max(len(frame) - 1, 10)))
         self.margin = " " * self._width
+
+    def meant(self, at: int, size: int, unknown: Iterable[tuple[int, int]]) -> list[Spans]:
+        """Returns the rows of a frame that was meant, its changed bytes underlined, its unknown ones as ??."""
+        for start, length in unknown:
+            first, after = _BYTE * start, _BYTE * (start + length)
+            self._hex = self._hex[:first] + " ??" * length + self._hex[after:]
+        lines: list[Spans] = [[(f"{self.margin} |", Role.ASIDE)]]
+        last = max(at + size - 1, at) // ROW
+        rows = range(min(max(at // ROW - 1, 0), max(self._rows_in_all - MOST_ROWS, 0)), self._rows_in_all)
+        for number in rows[:MOST_ROWS]:
+            row, under = self._row(number * ROW, at, at + size, Role.NAME, "")
+            lines += [row, under] if at // ROW <= number <= last else [row]
+        if len(rows) > MOST_ROWS:
+            lines.append([("...".rjust(self._width) + " | ...", Role.ASIDE)])
+        return lines
+
+    @property
+    def _rows_in_all(self) -> int:
+        return -(-self._size // ROW)
 
     def show(self, finding: Finding, role: str) -> list[Spans]:
         """Returns the rows with a finding's bytes underlined, and the meaning of the bytes and of their operation."""
@@ -199,10 +219,25 @@ def tally(findings: Iterable[Finding]) -> str:
 
 
 def diagnostics(
-    report: Report, findings: Sequence[Finding] | None = None, *, place: str = "", dialect: str = "official"
+    report: Report,
+    findings: Sequence[Finding] | None = None,
+    *,
+    place: str = "",
+    dialect: str = "official",
+    nearest: Sequence[Suggestion] | None = None,
+    is_complete: bool = False,
 ) -> Iterator[Line]:
-    """Yields the verdict, then every finding with its bytes; `place` is shown in front of every offset."""
+    """Yields the verdict, what was probably meant, then every finding with its bytes.
+
+    findings     those to show; None for all
+    place        shown in front of every offset
+    nearest      the suggestions to show; None for those of the report
+    is_complete  whether also findings that a sure suggestion resolves are shown
+    """
     shown = report.findings if findings is None else findings
+    meant = report.nearest if nearest is None else nearest
+    if not is_complete:
+        shown = unresolved(report, shown, meant)
     where = [(f"{place}: ", Role.HEADING)] if place else []
     if report.accepted and not report.findings:
         yield Line([*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)], 0, len(report.frame))
@@ -215,6 +250,9 @@ def diagnostics(
         (f" ({hidden} not shown)" if hidden else "", Role.ASIDE),
     ]
     yield Line(verdict, 0, len(report.frame))
+    for number, one in enumerate(meant):
+        yield Line()
+        yield from _did_you_mean(report.frame, one, "or" if number else "did you mean", dialect)
     if not shown:
         return
     excerpt = Excerpt(report.frame, dialect)
@@ -229,6 +267,25 @@ def diagnostics(
         more = ", ..." if len(alike) > _MOST_OFFSETS else ""
         said = f": and {len(alike)} more of these, at offsets {offsets}{more}"
         yield Line([_mark(alike[0]), (said, Role.PLAIN)], code=alike[0].code)
+
+
+def unresolved(report: Report, findings: Sequence[Finding], nearest: Sequence[Suggestion]) -> Sequence[Finding]:
+    """Returns the findings that a sure suggestion does not resolve, and the one for which the brick refuses a frame."""
+    if len(nearest) != 1 or not nearest[0].is_sure:
+        return findings
+    after = check(nearest[0].frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone)
+    kept = {(one.code, one.operation, one.parameter) for one in after.findings}
+    at = report.rejected_at or 0
+    causes = [one for one in report.errors if not report.accepted]
+    cause = next((one for one in causes if one.offset >= at), causes[0] if causes else None)
+    return [one for one in findings if one is cause or (one.code, one.operation, one.parameter) in kept]
+
+
+def _did_you_mean(frame: bytes, one: Suggestion, head: str, dialect: str) -> Iterator[Line]:
+    at, _, new = difference(frame, one.frame)
+    yield Line([(f"{head}: ", Role.NAME), (one.message, Role.HEADING)], one.offset, one.length)
+    for spans in Excerpt(one.frame, dialect).meant(at, len(new), one.unknown):
+        yield Line(spans, one.offset, one.length)
 
 
 def fixed(
@@ -261,7 +318,7 @@ def fixed(
         yield Line([("  not fixed: ", Role.FAULT), (reason, Role.PLAIN)])
     if count:
         place = f"{place}, fixed" if place else "fixed"
-    yield from diagnostics(fix.report, findings, place=place, dialect=dialect)
+    yield from diagnostics(fix.report, findings, place=place, dialect=dialect, nearest=())
 
 
 def explanation(code: Code, found: Iterable[Line], shown: Callable[[bytes], str]) -> Iterator[Line]:

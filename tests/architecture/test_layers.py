@@ -100,6 +100,7 @@ UPWARD = {
     # Methods of public objects whose code is in a higher layer.
     ("ev3proto.messages", "ev3proto.schema.frame"),
     ("ev3proto.checking.report", "ev3proto.checking.fixing"),
+    ("ev3proto.checking.report", "ev3proto.checking.nearest"),
     ("ev3proto.checking.report", "ev3proto.text.diagnostics"),
     # A page about the public modules of higher layers, and a command line that a page is about.
     ("ev3proto.generate.pages.python_api", "ev3proto.brick"),

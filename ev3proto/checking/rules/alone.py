@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.raw_bytes import how_to_write
 from ev3proto.messages import Argument
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables import with_effect
@@ -18,8 +17,6 @@ from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.output import PORT_SETS, PORTS
 
 _STARTS = with_effect(Effect.STARTS_MOTORS)
-_ROUND = 5
-_PERCENT = "%"
 
 
 def check_alone(context: CheckContext) -> Iterator[Finding]:
@@ -37,7 +34,6 @@ def check_alone(context: CheckContext) -> Iterator[Finding]:
             )
         for argument in operation.arguments:
             yield from _port(operation, argument)
-            yield from _small_number(operation, argument)
 
 
 def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
@@ -58,19 +54,4 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
             argument,
             f"{argument.name} is {number}, the number of port {PORTS[number]}; as a bit mask it would be {other}",
             f"use {meant} if port {other} is meant: {operation.name} takes the number of one port",
-        )
-
-
-def _small_number(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
-    """Yields a hint about a negative percentage in one byte that would be a round number as a raw byte."""
-    parameter, value = argument.parameter, argument.value
-    if argument.form.width != 0 or parameter.unit != _PERCENT or not isinstance(value, int) or value >= 0:
-        return
-    raw = argument.raw[0]
-    if parameter.range is not None and raw <= parameter.range[1] and raw % _ROUND == 0 and value % _ROUND:
-        yield operation.finding_at(
-            codes.SMALL_NUMBER,
-            argument,
-            f"{argument.name} is {value}: 0x{raw:02X} is LC0, which holds -32 to 31",
-            f"{how_to_write([raw])} if that is meant",
         )

@@ -9,11 +9,11 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.memory import Use
-from ev3proto.checking.rules.raw_bytes import how_to_write, label_for_number, raw_constant, raw_numbers
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Operation, Variable
 from ev3proto.schema.argument import encode_integer, encode_variable
 from ev3proto.semantics.facts import ParameterFacts
+from ev3proto.semantics.flow import is_label
 from ev3proto.semantics.footprint import InlineArray, footprint, inline_arrays
 from ev3proto.tables.declaration import Direction, Role, Type
 from ev3proto.tables.encoding import (
@@ -40,11 +40,10 @@ def value_finding(
     is_first = not number and not operation.facts.has_cmd
     parameter, form, value = argument.parameter, argument.form, argument.value
     kind, type_ = form.kind, parameter.type
-    if kind in (JUMP, TEXT) or form.handle or form.address:
-        slip = label_for_number(operation, argument, known) or raw_constant(operation, argument, known)
-        if slip is not None:
-            return slip
-    if form.handle or form.address:
+    is_number = parameter.direction is Direction.IN and type_ in _WHOLE and parameter.length is None
+    if kind == JUMP and is_number and parameter.role is not Role.JUMP:
+        return _label_for_number(operation, argument)
+    if (form.handle or form.address) and not (kind == TEXT and is_number):
         # Only the brick knows the value there. Its validator takes the handle or address itself as the value.
         return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
     if parameter.direction is not Direction.IN:
@@ -93,9 +92,7 @@ def _illegal(
     else:
         unit = f" {parameter.unit}" if parameter.unit else ""
         code, outside = codes.OUT_OF_RANGE, f"{unit}, outside of {domain.text}"
-    raw = raw_numbers(known, argument.raw, 0)[:1] if argument.form.width == 0 else []
-    advice = f"{_value_help(known)}, or {how_to_write(raw)} if that is meant" if raw else _value_help(known)
-    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", advice)
+    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", _value_help(known))
 
 
 def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:
@@ -198,14 +195,27 @@ def _text_for_number(operation: CheckedOperation, argument: Argument) -> Finding
     )
 
 
+def _label_for_number(operation: CheckedOperation, argument: Argument) -> Finding:
+    first, help_ = f"0x{argument.raw[0]:02X} is LAB1, a label", "write a number as a constant; labels are for jumps"
+    if is_label(argument):
+        message = f"{first}: the brick puts the place of label {argument.value} here, not a number"
+        return operation.finding_at(codes.LABEL_FOR_NUMBER, argument, message, help_)
+    # The brick takes the byte of another label without its sign.
+    number = argument.value if argument.parameter.type is Type.DATA8 else argument.raw[1]
+    message = f"{first}, but labels are 1 to {LABELS - 1}: the brick takes this one as the number {number}"
+    return operation.finding_at(codes.NUMBER_AS_LABEL, argument, message, help_)
+
+
 def _integer_for_float(operation: CheckedOperation, argument: Argument) -> Finding:
     return operation.finding_at(
         codes.INTEGER_FOR_FLOAT,
         argument,
         f"{argument.name} is the whole number {argument.value}, but the brick reads its bits as a float",
-        f"write {argument.value} as a float: LC4 with the four bytes of an IEEE single",
+        "write a float as LC4 with the four bytes of an IEEE single",
     )
 
+
+_WHOLE = (Type.DATA8, Type.DATA16, Type.DATA32)
 
 _SHORT_FORMS = len(SHORT)
 """Identification bytes below this one are complete arguments."""

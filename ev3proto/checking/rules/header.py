@@ -9,13 +9,12 @@ from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.errors import counted
-from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
-from ev3proto.schema.frame import frame_reader
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long, with_length
+from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MIN_LENGTH, REPORT_SIZES, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
 
@@ -59,9 +58,9 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
 
 
 def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
-    stated = frame_size(frame) - LENGTH_FIELD
-    follow = size - LENGTH_FIELD
+    stated, follow = frame_size(frame) - LENGTH_FIELD, size - LENGTH_FIELD
     most = context.most
+    says = f"the length field says that {counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'} it, but"
     if size > most and (stated == follow or stated + LENGTH_FIELD > most):
         yield codes.TOO_LONG.finding(
             most,
@@ -69,74 +68,25 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
             f"a frame has at most {most} bytes{' on USB' if may_be_long(frame) else ''}, this one has {size}",
             "send it in several frames",
         )
-    elif (slip := _slip(frame, stated, follow, context)) is not None:
-        code = codes.INCOMPLETE if stated > follow else codes.LEFT_OVER
-        yield code.finding(0, LENGTH_FIELD, _says(stated, follow), slip)
     elif stated > follow:
         yield codes.INCOMPLETE.finding(
             0,
             LENGTH_FIELD,
-            _says(stated, follow),
-            f"set the length to {follow}, or add the {counted(stated - follow, 'missing byte')}"
-            if _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)
-            else f"add the {counted(stated - follow, 'missing byte')}",
+            f"{says} there are {follow}",
+            f"set the length to {follow}, or add the {counted(stated - follow, 'missing byte')}",
         )
-    elif stated < follow:
-        yield _left_over(frame, stated, follow, context)
-
-
-def _slip(frame: bytes, stated: int, follow: int, context: CheckContext) -> str | None:
-    """Returns the help for a length whose bytes are swapped, or which counts itself; None for any other length."""
-    if stated == follow or not _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context):
-        return None
-    if int.from_bytes(frame[:LENGTH_FIELD], "big") == follow:
-        return f"did you swap these two bytes? The low byte comes first: {frame[1::-1].hex(' ').upper()} is {follow}"
-    if stated == follow + LENGTH_FIELD:
-        return f"set it to {follow}: the length does not count its own two bytes"
-    return None
-
-
-def _says(stated: int, follow: int) -> str:
-    verb = "follows" if stated == 1 else "follow"
-    return f"the length field says that {counted(stated, 'byte')} {verb} it, but there are {follow}"
-
-
-def _left_over(frame: bytes, stated: int, follow: int, context: CheckContext) -> Finding:
-    end = context.end
-    if context.is_padded and context.carrier in (None, "usb"):
-        return codes.PADDING.finding(
+    elif context.is_padded and context.carrier in (None, "usb"):
+        end = context.end
+        yield codes.PADDING.finding(
             end,
-            len(frame) - end,
-            f"the frame ends here; {counted(len(frame) - end, 'zero')} pad it to a USB report",
+            size - end,
+            f"the frame ends here; {counted(size - end, 'zero')} pad it to a USB report",
             "omit them, except on USB",
         )
-    return codes.LEFT_OVER.finding(
-        0,
-        LENGTH_FIELD,
-        _says(stated, follow),
-        " or ".join(_ways_out(frame, stated, follow, context)),
-    )
-
-
-def _ways_out(frame: bytes, stated: int, follow: int, context: CheckContext) -> Iterator[str]:
-    """Yields the ways to fix bytes after the end of a frame."""
-    is_start = stated + LENGTH_FIELD >= HEADER_SIZE
-    fits = len(frame) <= context.most
-    if fits and (not is_start or _reads_to_its_end(with_length(frame[LENGTH_FIELD:]), context)):
-        yield f"set the length to {follow}" + "," * is_start
-    elif not is_start:
-        yield f"set the length to that of one frame, which has at most {MAX_FRAME} bytes"
-    if is_start:
-        yield f"omit the last {counted(follow - stated, 'byte')}"
-
-
-def _reads_to_its_end(frame: bytes, context: CheckContext) -> bool:
-    return is_plausible(frame_reader(context.dialect).read_frame(frame, strict=False))
-
-
-def is_plausible(message: Message) -> bool:
-    """Returns whether a message is a command, with no byte missing and none left over."""
-    return message.type is not None and message.type.is_command and message.fault is None
+    elif stated < follow:
+        omit = f", or omit the last {counted(follow - stated, 'byte')}" if stated > MIN_LENGTH else ""
+        length = f"set the length to {follow}" if size <= most else f"use a length of at most {most - LENGTH_FIELD}"
+        yield codes.LEFT_OVER.finding(0, LENGTH_FIELD, f"{says} there are {follow}", f"{length}{omit}")
 
 
 def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:

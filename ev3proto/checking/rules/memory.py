@@ -9,7 +9,6 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
 from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
-from ev3proto.checking.rules.raw_bytes import also_a_number, raw_variable
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
@@ -79,7 +78,6 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Yields findings about variables that are misaligned or beyond the requested memory."""
     # The same mistake may occur a thousand times, so its finding is made once.
     said: dict[_Identity, list[Finding]] = {}
-    written: Taken | None = None
     for use in used:
         _, place = use
         start = place.start
@@ -87,10 +85,7 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
             key = _identity(use)
             found = said.get(key)
             if found is None:
-                if written is None:
-                    written = Taken((one.start, _furthest(one)) for _, one in used if one.facts.is_written)
-                is_written = written.has_some_of(place.start, place.end)
-                found = said[key] = list(_wrongly_placed(use, asked, is_written))
+                found = said[key] = list(_wrongly_placed(use, asked))
             for finding in found:
                 yield replace(finding, offset=place.argument.offset)
 
@@ -99,72 +94,34 @@ def _furthest(place: Footprint) -> int:
     return MAX_FRAME if place.most is None else place.start + place.most
 
 
-def _wrongly_placed(use: Use, asked: int, is_written: bool) -> Iterator[Finding]:
-    """Yields what is wrong with the place of a variable; `is_written` says whether any operation writes it."""
+def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
+    """Yields what is wrong with the place of a variable."""
     operation, place = use
-    if place.end > asked and not is_written:
-        slip = raw_variable(operation, place, asked, _memory(place.is_global)[1])
-        if slip is not None:
-            yield slip
-            return
-    if place.start % max(place.facts.validator_alignment, place.facts.cpu_alignment):
-        code = codes.MISALIGNED if place.start % place.facts.validator_alignment else codes.UNALIGNED
-        yield operation.finding_at(code, place.argument, *_misaligned_texts(place, asked))
-    if place.end > asked:
-        code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
-        message, help_ = _beyond_texts(place, asked)
-        help_ += "" if is_written else also_a_number(place)
-        yield operation.finding_at(code, place.argument, message, help_)
-
-
-def _misaligned_texts(place: Footprint, asked: int) -> tuple[str, str]:
-    """Returns message and help for a misaligned variable."""
-    is_validated = place.start % place.facts.validator_alignment != 0
-    multiple = place.facts.validator_alignment if is_validated else place.facts.cpu_alignment
-    aside = "" if is_validated else ", though the firmware does not check it here"
-    name, variable = place.argument.name, _variable(place.is_global, place.start)
-    message = f"{name} is {variable}, and must start at a multiple of {multiple}{aside}"
-    multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
-    return message, _aligned(place.is_global, place.start, place.size, multiple, asked)
-
-
-def _aligned(is_global: bool, start: int, size: int, multiple: int, asked: int) -> str:
-    """Returns where a misaligned variable could start: above if the memory has room, else below."""
-    scope, most = _memory(is_global)
-    asked = min(asked, most)
-    start += -start % multiple
-    if start + size > asked and asked >= size and start + size > most:
-        start = (asked - size) // multiple * multiple
-    elif start + size > most:
-        start = 0
-    better = f"use {_variable(is_global, start)}"
-    end = start + size
-    if end > most:
-        return f"use a multiple of {multiple}"
-    if end > asked:
-        return f"{better}, and request {counted(end, 'byte')} of {scope} memory"
-    return f"{better}, or another multiple of {multiple}"
-
-
-def _variable(is_global: bool, index: int) -> Variable:
-    return Variable(GLOBAL if is_global else LOCAL, index)
-
-
-def _memory(is_global: bool) -> tuple[str, int]:
-    """Returns the name of a memory and its maximum size in bytes."""
-    return ("global", MOST_IN_REPLY) if is_global else ("local", MAX_LOCALS)
-
-
-def _beyond_texts(place: Footprint, asked: int) -> tuple[str, str]:
-    """Returns message and help for a variable beyond its memory."""
     name, start, end = place.argument.name, place.start, place.end
-    scope, most = _memory(place.is_global)
-    bytes_taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
-    has = f"{counted(asked, 'byte')} of" if asked else "no"
-    message = f"{name} takes {bytes_taken} of {scope} memory, but the header requests {has} {scope} memory"
-    if end > most:
-        return message, f"use a lower index; {scope} memory has at most {counted(most, 'byte')}"
-    return message, f"request {counted(end, 'byte')} of {scope} memory, or use a lower index"
+    multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
+    if start % multiple:
+        is_refused = start % place.facts.validator_alignment != 0
+        step = place.facts.validator_alignment if is_refused else multiple
+        aside = "" if is_refused else ", though the firmware does not check it here"
+        variable = Variable(GLOBAL if place.is_global else LOCAL, start)
+        yield operation.finding_at(
+            codes.MISALIGNED if is_refused else codes.UNALIGNED,
+            place.argument,
+            f"{name} is {variable}, and must start at a multiple of {step}{aside}",
+            f"use a multiple of {multiple}",
+        )
+    if end > asked:
+        scope, most = ("global", MOST_IN_REPLY) if place.is_global else ("local", MAX_LOCALS)
+        taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
+        has = f"{counted(asked, 'byte')} of" if asked else "no"
+        more = f"request {counted(end, 'byte')} of {scope} memory, or " if end <= most else ""
+        limit = "" if more else f"; {scope} memory has at most {counted(most, 'byte')}"
+        yield operation.finding_at(
+            codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS,
+            place.argument,
+            f"{name} takes {taken} of {scope} memory, but the header requests {has} {scope} memory",
+            f"{more}use a lower index{limit}",
+        )
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:

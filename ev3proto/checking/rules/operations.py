@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.raw_bytes import raw_start
 from ev3proto.errors import Fault, counted
 from ev3proto.messages import Argument
 from ev3proto.schema.header import COMMAND_HEADER_SIZE
@@ -312,9 +311,9 @@ def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
     return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]
 
 
-def check_refusals(context: CheckContext, *, is_out_of_step: bool) -> Iterator[Finding]:
-    """Yields findings about what stops the parser or validator; an argument may have taken the bytes after it."""
-    if not (is_out_of_step or context.effects.isdisjoint(_NEVER_RUNS)):
+def check_refusals(context: CheckContext) -> Iterator[Finding]:
+    """Yields findings about what stops the parser or validator."""
+    if not context.effects.isdisjoint(_NEVER_RUNS):
         yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
@@ -324,12 +323,7 @@ def check_refusals(context: CheckContext, *, is_out_of_step: bool) -> Iterator[F
         if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
             return
     # A frame that ends early, or has a wrong length, is reported elsewhere.
-    if (
-        fault is not None
-        and not is_out_of_step
-        and context.end > COMMAND_HEADER_SIZE
-        and not (context.is_length_wrong and fault.truncated)
-    ):
+    if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
         yield _fault(context, fault)
 
 
@@ -342,7 +336,7 @@ def _never_run(context: CheckContext) -> Iterator[Finding]:
             yield operation.finding(
                 codes.UNKNOWN_OPCODE,
                 f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
-                _out_of_step(operation.start),
+                _USE_AN_OPCODE,
             )
 
 
@@ -401,6 +395,9 @@ def _fault(context: CheckContext, fault: Fault) -> Finding:
     return _faulty_cmd(context, start, family.opcode.name, fault)
 
 
+_USE_AN_OPCODE = "use an opcode, and check the length of what is before it"
+
+
 def _unknown_opcode(context: CheckContext, start: int) -> Finding:
     number = context.frame[start]
     others = [opcode for opcode in OPCODES if opcode.number == number]
@@ -414,13 +411,7 @@ def _unknown_opcode(context: CheckContext, start: int) -> Finding:
         )
     else:
         message = f"unknown opcode 0x{number:02X} for the {context.dialect} firmware"
-    return codes.UNKNOWN_OPCODE.finding(start, 1, message, _out_of_step(start))
-
-
-def _out_of_step(start: int) -> str:
-    if start == COMMAND_HEADER_SIZE:
-        return "use an opcode; the operations start after the two bytes that request memory"
-    return "use an opcode, or look at the operation before it: one of its arguments may be too short or too long"
+    return codes.UNKNOWN_OPCODE.finding(start, 1, message, _USE_AN_OPCODE)
 
 
 def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
@@ -434,22 +425,13 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
     encoding = ENCODINGS[first]
     if encoding is None:
         return _undefined_form(at, first, name, "CMD")
-    family = instruction_set(context.dialect).families[context.frame[start]]
-    assert family is not None
-    names = [
-        f"{number} {schema.declaration.command.name}"  # type: ignore[union-attr]
-        for number, schema in sorted(family.commands.items())
-        if context.dialect != "official" or not schema.declaration.is_newer
-    ]
-    known = ", ".join(names[:_MOST_NAMES])
-    more = ", ..." if len(names) > _MOST_NAMES else ""
     cmd, _ = CMD.read(context.frame[: context.end], at)
     if encoding.kind != CONSTANT:
         return codes.VARIABLE_CMD.finding(
             at,
             cmd.length,
             f"CMD of {name} is {encoding.name}, but must be a constant",
-            f"use one of {known}{more}",
+            f"use a CMD of {name}; `ev3proto ops {name}` lists them",
             name,
             "CMD",
         )
@@ -457,13 +439,10 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         at,
         cmd.length,
         f"{name} has no CMD {cmd.value}{_consequence(context, start)}",
-        f"use one of {known}{more}",
+        f"use a CMD of {name}; `ev3proto ops {name}` lists them",
         name,
         "CMD",
     )
-
-
-_MOST_NAMES = 6
 
 
 def _consequence(context: CheckContext, start: int) -> str:
@@ -496,17 +475,13 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
         return _faulty_count(context, operation, count, fault)
     parameters = operation.facts.declaration.parameters
     parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
-    known = operation.facts.of(len(operation.arguments), parameter)
-    slip = raw_start(operation, known, context.frame[: context.end], at)
-    if slip is not None:
-        return slip
     if fault.truncated:
         last = min(at, context.end)
         return codes.CUT_OFF.finding(
             last,
             context.end - last,
             f"{operation.name}: {fault.reason}",
-            f"add the missing bytes, or correct the length of what is before {parameter.name}",
+            "add the missing bytes",
             operation.name,
             parameter.name,
         )

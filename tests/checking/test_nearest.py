@@ -1,0 +1,115 @@
+"""What was meant by a wrong frame: each kind of slip by its example, and what holds for every frame."""
+
+from __future__ import annotations
+
+from unittest.mock import patch
+
+import pytest
+from hypothesis import given, settings
+from support.effort import effort
+
+import ev3proto
+from ev3proto.checking import nearest as search
+from ev3proto.checking.checking import check
+from ev3proto.checking.codes import CODES
+from ev3proto.checking.report import Suggestion
+from ev3proto.checking.slips import SLIPS
+from ev3proto.schema.header import with_length
+from ev3proto.testing import frames, mutated_frames
+
+many = settings(max_examples=effort(50, 1000), deadline=None)
+
+
+def nearest(text: str) -> tuple[Suggestion, ...]:
+    return ev3proto.check(bytes.fromhex(text), alone=True).nearest
+
+
+def code(text: str, *, header: str = "0100 80 0000") -> tuple[Suggestion, ...]:
+    return nearest(with_length(bytes.fromhex(f"{header} {text}")).hex())
+
+
+@pytest.mark.parametrize("kind", SLIPS)
+def test_every_slip_leads_to_the_frame_that_was_meant(kind: str) -> None:
+    first = nearest(SLIPS[kind].wrong)[0]
+    right = bytearray(bytes.fromhex(SLIPS[kind].right))
+    for at, size in first.unknown:
+        right[at : at + size] = first.frame[at : at + size]
+    assert (first.kind, first.frame) == (kind, bytes(right))
+    assert "{" not in first.message
+
+
+@pytest.mark.parametrize("kind", SLIPS)
+def test_nothing_is_said_of_the_frame_that_was_meant(kind: str) -> None:
+    report = ev3proto.check(bytes.fromhex(SLIPS[kind].right), alone=True)
+    assert report.accepted
+    assert not report.errors
+    assert not report.nearest
+
+
+def test_a_suggestion_tells_place_and_sentence() -> None:
+    (one,) = code("A5 01 81 32 A6 00 01")
+    assert (one.kind, one.offset, one.length) == ("missing", 8, 0)
+    assert one.message == "LAYER of OUTPUT_SPEED is missing"
+    assert one.frame == bytes.fromhex("0D00 0100 80 0000 A5 00 01 81 32 A6 00 01")
+    assert (one.unknown, one.is_sure) == ((), True)
+
+
+def test_bytes_that_can_only_be_guessed_are_unknown() -> None:
+    one = nearest("1100 0100 80 0000 AE 00 01 8132 00 828403 00 A6 00 01")[0]
+    assert one.message == "BRAKE of OUTPUT_STEP_SPEED is missing"
+    assert (one.unknown, one.is_sure) == (((17, 1),), False)
+
+
+def test_two_that_are_equally_likely_are_both_said() -> None:
+    found = nearest("0D00 0100 08 0000 A5 00 01 8132 A6 00 01")
+    assert [one.frame[4] for one in found] == [0x80, 0x00]
+    assert not any(one.is_sure for one in found)
+
+
+def test_a_habit_is_said_once() -> None:
+    (one,) = code("94 01 02 82 03 E8 82 01 F4 96 94 01 02 82 02 0B 82 01 F4")
+    assert one.frame[7:] == bytes.fromhex("94 01 02 82 E8 03 82 F4 01 96 94 01 02 82 0B 02 82 F4 01")
+
+
+@pytest.mark.parametrize("name", CODES)
+def test_right_frames_are_left_alone(name: str) -> None:
+    entry = CODES[name]
+    report = ev3proto.check(entry.counterexample, carrier=entry.carrier, alone=True)
+    assert not report.nearest or report.findings
+
+
+def test_frames_among_others_are_left_alone_unless_they_are_refused_or_have_errors() -> None:
+    frame = bytes.fromhex("0E00 0100 80 0000 94 01 02 82C800 82F401")
+    assert [finding.code for finding in ev3proto.check(frame).findings] == ["W303"]
+    assert ev3proto.check(frame).nearest == ()
+
+
+@many
+@given(frames() | mutated_frames())
+def test_what_is_suggested_is_accepted_without_errors(frame: bytes) -> None:
+    report = ev3proto.check(frame, alone=True)
+    found = report.nearest
+    assert len(found) <= 2
+    assert not found or report.findings
+    for one in found:
+        after = ev3proto.check(one.frame, alone=True)
+        assert one.frame != frame
+        assert after.accepted or frame[4] not in (0, 1, 0x80, 0x81)
+        assert not after.errors
+        assert 0 <= one.offset <= one.offset + one.length <= len(frame)
+        assert all(0 <= at < at + size <= len(one.frame) for at, size in one.unknown)
+
+
+@many
+@given(mutated_frames())
+def test_the_search_stays_within_its_bounds(frame: bytes) -> None:
+    checked: list[int] = []
+
+    def counted(data: bytes, **options: object) -> ev3proto.Report:
+        checked.append(len(data))
+        return check(data, **options)  # type: ignore[arg-type]
+
+    report = ev3proto.check(frame, alone=True)
+    with patch.object(search, "check", counted):
+        search.nearest.__wrapped__(report)
+    assert sum(checked) <= 12_000 + 2 * 1100

@@ -32,7 +32,7 @@ _REPLY_BIT = MessageType.DIRECT_COMMAND_REPLY ^ MessageType.DIRECT_COMMAND_NO_RE
 _LC1, _LC2, _LC4 = (encode_integer(number)[0] for number in (100, 1000, 100_000))
 _WIDTHS = {_LC1: 1, _LC2: 2, _LC4: 4}
 _WORDS = {1: "one byte", 2: "two bytes", 4: "four bytes"}
-_LABELS = {LABEL_BYTE + code: width for code, width in ((1, 1), (2, 2), (3, 4))}
+_LABELS = {LABEL_BYTE + code: width for code, width in ((0, 1), (1, 1), (2, 2), (3, 4))}
 _LCS = encode_string("")[0]
 _OLD_LCS = 0x80
 _LV0, _GV0 = (encode_variable(Variable(scope, 0))[0] for scope in (LOCAL, GLOBAL))
@@ -106,7 +106,7 @@ def _of_type(frame: bytes) -> Iterator[Edit]:
         is_near = (
             other == digits or number ^ other == _REPLY_BIT or not ((number ^ other) & 15 and (number ^ other) >> 4)
         )
-        extra = 1.0 * (number in _COMMANDS) + 1.0 * (not is_near) - 0.5 * (other == digits)
+        extra = 1.0 * (number in _COMMANDS) + 0.5 * (not is_near) - 0.5 * (other == digits)
         extra += 1.5 if number ^ other == _REPLY_BIT else 0.0
         yield Edit("type", TYPE_AT, HEADER_SIZE, bytes((other,)), (number, other, member.name), extra)
 
@@ -255,7 +255,7 @@ def _variable(place: _Place) -> Iterator[Edit]:
         for index in (argument.value - over, argument.value - over + step) if over else ():
             new = bytes((first - argument.value + index,))
             moved = (*place.names, step, Variable(argument.form.kind, index), spaced(new))
-            yield Edit("aligned", at, place.end, new, moved, 0.3 if index > argument.value else 0.0, guess=1)
+            yield Edit("aligned", at, place.end, new, moved, 0.3 if index > argument.value else 0.0)
     if not known.parameter.is_output:
         return
     if _LV0 <= first < _GV0 and code.memory.globals and code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY:
@@ -310,7 +310,7 @@ def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
         return bytes((base + (index if index < _SHORT and index + known.size <= most else 0),))
     if parameter.type is Type.STRING:
         return encode_string("x")
-    if parameter.role is Role.MOTORS or parameter.type is Type.COUNT:
+    if parameter.role is Role.MOTORS or parameter.counts:
         return b"\1"
     low = known.domain.spans[0][0] if known.domain is not None and known.domain.spans else 0
     domain = known.domain

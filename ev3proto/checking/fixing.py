@@ -5,13 +5,17 @@ from __future__ import annotations
 from ev3proto.checking.checking import check
 from ev3proto.checking.report import Change, Fix, Report, Suggestion, difference
 from ev3proto.checking.rules.arguments import longer_arguments, shortest
+from ev3proto.checking.rules.header import TYPE_OFFSET
 from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import DirectCommand, Message
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, with_length
 from ev3proto.semantics.facts import operation_facts
 from ev3proto.tables.encoding import CONSTANT, JUMP
 from ev3proto.tables.frame import LENGTH_FIELD
+
+_PARTS = {HEADER_SIZE: "memory", TYPE_OFFSET: "type", LENGTH_FIELD: "counter", 0: "length field"}
+"""What is changed in a header, by its offset."""
 
 
 def fix(
@@ -20,7 +24,6 @@ def fix(
     dialect: str = "official",
     carrier: str | None = None,
     shorten: bool = True,
-    alone: bool = True,
 ) -> Fix:
     """Fixes what can be fixed with certainty. No content of a frame makes it raise, and no fix makes a frame worse.
 
@@ -29,7 +32,6 @@ def fix(
         dialect: "official", "xtended" or "compat": the firmware whose instruction set is used.
         carrier: "usb", "bluetooth" or "wifi": the carrier of the frame; None if it does not matter.
         shorten: Whether to shorten encodings that are longer than needed; without it, only slips are fixed.
-        alone: Whether no other command belongs to it; else only a frame with errors is taken for a slip.
 
     Returns:
         The frame, what was fixed, what was not and why, and the report of a check of the result.
@@ -41,7 +43,7 @@ def fix(
     report = check(given, dialect=dialect, carrier=carrier)
     changes: list[Change] = []
     unfixed: list[str] = []
-    found = check(given, dialect=dialect, carrier=carrier, alone=alone).nearest
+    found = check(given, dialect=dialect, carrier=carrier, alone=True).nearest
     for one in found:
         after = check(one.frame, dialect=dialect, carrier=carrier)
         if one.is_sure and is_better(after, report):
@@ -68,7 +70,9 @@ def is_better(after: Report, before: Report) -> bool:
 def _change(given: bytes, one: Suggestion) -> Change:
     at, end, new = difference(given, one.frame)
     before, after = (data.hex(":").upper() or "nothing" for data in (given[at:end], new))
-    return Change(f"offset {at}", before, after, one.message)
+    part = next(name for start, name in _PARTS.items() if start <= at)
+    what = part if at < COMMAND_HEADER_SIZE and len(given) == len(one.frame) else f"offset {at}"
+    return Change(what, before, after, one.message)
 
 
 def _doubt(one: Suggestion, count: int) -> str:

@@ -25,7 +25,7 @@ FAULT = 12.0
 """The cost of an operation that cannot be read."""
 
 _WRONG_KIND = 8.0  # a text for a number, a number for a text, a constant for a result
-_LONGER = 0.6  # an encoding longer than needed
+_LONGER = 0.3  # an encoding longer than needed
 
 _USUAL = frozenset(code.number for area in ("ui", "timer", "sound", "input", "output", "com") for code in AREAS[area])
 """The opcodes of what people send: they move, play, draw and measure; programs also compute and jump."""
@@ -173,7 +173,7 @@ class Code:
             else:
                 end = at + 1
             end = read_arguments(schema.readers, data, end, size, found)
-            if schema.list_parameter is not None:
+            if schema.tail is not None:
                 end = read_arguments(schema.elements(found, size - end), data, end, size, found)
         except DecodeError:
             stop = found[-1].offset + found[-1].length if found else end

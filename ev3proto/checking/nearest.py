@@ -8,6 +8,7 @@ than to say nothing, and not so dear that many other slips would explain the byt
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -26,10 +27,12 @@ from ev3proto.checking.edits import (
 )
 from ev3proto.checking.likelihood import FAULT, Code
 from ev3proto.checking.report import Report, Suggestion
-from ev3proto.checking.slips import SLIPS
+from ev3proto.checking.rules.header import MOST_IN_REPLY
+from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
+from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, write_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, read_memory, write_memory
 from ev3proto.semantics.footprint import footprints, needed
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.encoding import GLOBAL, LOCAL
@@ -59,7 +62,7 @@ _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 _WEIGHTS = {
     **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
     **{"W": 5.0, "W201": 0.5, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0, "W804": 1.0, "W805": 2.0},
-    **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.5},
+    **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.3},
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
 _REFUSED = 6.0
@@ -99,13 +102,48 @@ class _Judged(NamedTuple):
     is_right: bool
 
 
-@lru_cache(32)
+_MOST_IN_RUN = 100
+
+
+@lru_cache(2 * _MOST_IN_RUN)
 def nearest(report: Report) -> tuple[Suggestion, ...]:
     """Returns what was probably meant by a frame: nothing, one frame, or two that are equally likely."""
     if not _SHORTEST <= len(report.frame) <= _LONGEST or not report.findings:
         return ()
     text = mangled(report.frame)
     return _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
+
+
+class Suggestions:
+    """The suggestions for the frames of one run: one search for each distinct content, at most 100 of them.
+
+    is_stopped  whether there were more
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[bytes, Report] = {}
+        self.is_stopped = False
+
+    def of(self, report: Report) -> tuple[Suggestion, ...]:
+        """Returns what was probably meant by a frame, whose counter does not matter."""
+        frame, end = report.frame, HEADER_SIZE - 1
+        if not report.findings:
+            return ()
+        body = frame[:LENGTH_FIELD] + frame[end:]
+        if body not in self._known:
+            if len(self._known) == _MOST_IN_RUN:
+                self.is_stopped = True
+                return ()
+            self._known[body] = report
+        known = self._known[body]
+        found = known.nearest
+        if known.frame == frame:
+            return found
+        return tuple(
+            replace(one, frame=one.frame[:LENGTH_FIELD] + frame[LENGTH_FIELD:end] + one.frame[end:])
+            for one in found
+            if one.frame[LENGTH_FIELD:end] == known.frame[LENGTH_FIELD:end]
+        )
 
 
 def _before_text(frame: bytes, text: Mangled) -> Suggestion:
@@ -174,7 +212,7 @@ class _Search:
                 candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
         rarity, doubt = self._costs(candidate.frame, report)
         doubt += candidate.price
-        is_right = report.accepted or _is_reply(candidate.frame)
+        is_right = report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame))
         return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
 
     def _best(self, frame: bytes, before: _Candidate | None = None) -> list[_Judged]:
@@ -193,7 +231,7 @@ class _Search:
 
     def _repeated(self, found: list[_Judged]) -> Iterator[_Judged]:
         """Yields right frames that several edits of one kind lead to: a slip out of habit."""
-        for first in found[:_FIRSTS]:
+        for first in [one for one in found if one.candidate.edits[0].kind in HABITS][:_FIRSTS]:
             last, is_guess = first, first.candidate.edits[0].guess
             while last.candidate.price <= _MOST_OF_FIRST + _REPEATED * _MOST_REPEATED and not is_guess:
                 after = self._best(last.candidate.frame, last.candidate)
@@ -263,8 +301,8 @@ class _Search:
         if edit.kind in ("memory-missing", "memory-half"):
             new = _with_memory(new, self._dialect)
         elif edit.kind in ("memory-swapped", "memory-shift"):
-            sizes = needed_memory(new, self._dialect)
-            price += 5.0 if sizes is None or not any(sizes) else -1.5 if sizes == read_memory(new) else 0.0
+            sizes, _ = _needed_memory(new, self._dialect) or ((0, 0), False)
+            price += 5.0 if not any(sizes) else -1.5 if sizes == read_memory(new) else 0.0
         return _Candidate((edit,), price, self._read(new), new)
 
     def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:
@@ -272,9 +310,10 @@ class _Search:
         base = _OTHER_LENGTH if _stated(frame) != len(frame) else 0.0
         whole = sized(frame[LENGTH_FIELD:])
         new = _with_memory(whole, self._dialect)
-        sizes, asked = needed_memory(whole, self._dialect) or (0, 0), read_memory(frame)
-        words = (*sizes, *asked)
-        edit = Edit("memory-size", HEADER_SIZE, COMMAND_HEADER_SIZE, new[HEADER_SIZE:COMMAND_HEADER_SIZE], words)
+        (sizes, is_exact), asked = _needed_memory(whole, self._dialect) or ((0, 0), True), read_memory(frame)
+        at, end, guess = HEADER_SIZE, COMMAND_HEADER_SIZE, 0 if is_exact else MEMORY_SIZE
+        words = *(counted(size, "byte") for size in sizes), *asked
+        edit = Edit("memory-size", at, end, new[at:end], words, guess=guess)
         if new != whole:
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
         message = read_last(whole, self._dialect)
@@ -345,26 +384,33 @@ def _suspicious(code: Code, costs: list[float]) -> Iterable[int]:
     return sorted(numbers, reverse=True)
 
 
-def needed_memory(frame: bytes, dialect: str) -> tuple[int, int] | None:
-    """Returns the bytes of global and local memory that the operations of a frame use, None if that is unknown."""
+def _needed_memory(frame: bytes, dialect: str) -> tuple[tuple[int, int], bool] | None:
+    """Returns the bytes of global and local memory that the operations of a frame use, and whether that is exact.
+
+    None if they cannot be read, or use more than there is.
+    """
     message = read_last(frame, dialect)
     if not isinstance(message, DirectCommand) or message.fault is not None:
         return None
+    sizes, is_exact = [], True
     places = [place for operation in message.operations for place in footprints(operation)]
-    sizes = []
     for scope in (GLOBAL, LOCAL):
         own = [place for place in places if place.argument.form.kind == scope]
-        sizes.append(needed(own) or max([place.end for place in own], default=0))
-    return (sizes[0], sizes[1]) if sizes[0] <= MAX_FRAME - HEADER_SIZE and sizes[1] <= MAX_LOCALS else None
+        size = needed(own)
+        is_exact &= size is not None
+        sizes.append(max([place.end for place in own], default=0) if size is None else size)
+    fits = sizes[0] <= MOST_IN_REPLY and sizes[1] <= MAX_LOCALS
+    return ((sizes[0], sizes[1]), is_exact) if fits else None
 
 
 def _with_memory(frame: bytes, dialect: str) -> bytes:
-    """Returns a frame that requests at least the memory that its operations use."""
-    sizes = needed_memory(frame, dialect)
-    if sizes is None:
+    """Returns a frame that requests the memory that its operations use, or more where it did and may."""
+    found = _needed_memory(frame, dialect)
+    if found is None:
         return frame
+    (shared, local), _ = found
     asked = read_memory(frame)
-    word = write_memory(max(sizes[0], asked[0]), max(sizes[1], asked[1]))
+    word = write_memory(max(shared, asked[0]) if asked[0] <= MOST_IN_REPLY else shared, max(local, asked[1]))
     return frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
 
 
@@ -379,5 +425,5 @@ def _suggestion(judged: _Judged, *, is_alone: bool) -> Suggestion:
         moved = len(edit.new) - edit.end + edit.at
         unknown = [(at + moved if at >= edit.end else at, size) for at, size in unknown]
         unknown += [(edit.at, edit.guess)] if edit.guess else []
-    is_sure = is_alone and not unknown and judged.doubt <= SURE
+    is_sure = is_alone and not unknown and judged.doubt <= SURE and first.kind not in CHOICES
     return Suggestion(first.kind, first.at, first.end - first.at, message, frame, tuple(unknown), is_sure)

@@ -63,7 +63,7 @@ SLIPS = {
         "0800 0100 00 0004 81 01 60", _BATTERY),
     "memory-shift": Slip(2.5, "the size of local memory is in the upper six bits of its byte: {0} is {1} there",
         "0C00 0100 80 0004 85 82E803 40 86 40", "0C00 0100 80 0010 85 82E803 40 86 40"),
-    "memory-size": Slip(2, "{0} bytes of global and {1} of local memory are used; the header requests {2} and {3}",
+    "memory-size": Slip(2, "{0} of global and {1} of local memory are used; the header requests {2} and {3}",
         "0800 0100 00 0200 81 01 60", _BATTERY),
     "header-long": Slip(4.5, "two bytes too many: the header has the length, the counter, one byte of type, the memory",
         "0F00 0100 0000 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
@@ -130,3 +130,11 @@ SLIPS = {
         "0A00 0100 81 9E 02 6100 0200 01", _MAILBOX),
 }  # fmt: skip
 """The slips by the kinds of edits that undo them."""
+
+HABITS = frozenset(
+    ("missing", "raw", "width", "swapped", "label", "float", "no-zero", "no-84", "length-84", "scope", "variable")
+)
+"""The slips that people make at every place where they can."""
+
+CHOICES = frozenset(("aligned",))
+"""The slips of which only the author knows how to undo them, such as where a variable is best moved."""

@@ -72,17 +72,19 @@ def notes_on(checked: Checked) -> Iterator[Note]:
         shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", advice))
     packet = {"packet": facts["packet"]} if "packet" in facts else {}
     where = f"packet {facts['packet']}, " if packet else ""
-    for finding in shown:
+    meant = "".join(f"; did you mean: {one.message}?" for one in checked.nearest)
+    for number, finding in enumerate(shown):
         yield Note(
             finding.severity,
             finding.code,
-            f"{where}offset {finding.offset}: {finding.message}; {finding.help}",
+            f"{where}offset {finding.offset}: {finding.message}; {finding.help}{'' if number else meant}",
             name,
             facts.get("line"),
             facts.get("column"),
             (finding.offset, finding.length) if is_file else None,
             {"offset": finding.offset, "length": finding.length}
             | ({} if is_file else {"frame": report.frame.hex()})
+            | ({} if number or not meant else {"nearest": [one.as_dict() for one in checked.nearest]})
             | packet,
         )
 

@@ -12,6 +12,7 @@ import click
 from ev3proto.checking.checking import check as check_frame
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
+from ev3proto.checking.nearest import Suggestions
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.annotations import GitHub, Sarif
@@ -62,6 +63,7 @@ class CheckOptions:
     carrier  what carries the frames; None: as the capture says, or any
     hidden   severities that are not shown
     quiet    only the summary is printed
+    whole    show findings that a suggestion resolves, too
     """
 
     fixes: bool = False
@@ -69,6 +71,7 @@ class CheckOptions:
     carrier: str | None = None
     hidden: frozenset[str] = frozenset()
     quiet: bool = False
+    whole: bool = False
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
         """Whether nothing is printed about a frame: with --errors-only, among many, one without errors."""
@@ -93,6 +96,7 @@ class Checking:
         self._dialect = inputs.reading.dialect
         self._is_single = len(inputs.sources) == 1
         self._first: tuple[bytes, Place] | None = None
+        self._suggestions = Suggestions()
         self.tally = Tally()
 
     def run(self) -> None:
@@ -109,6 +113,8 @@ class Checking:
             else:
                 self._edit(content.source, content.data)
         self._take_first(is_alone=True)
+        if self._suggestions.is_stopped:
+            complain("what was meant is said of the first 100 different frames with findings only")
         self._output.end(self.tally, is_quiet=self._options.quiet)
 
     def _take(self, frame: Frame) -> None:
@@ -231,7 +237,9 @@ class Checking:
         """Counts the findings of a report, and shows them."""
         report = checked.report
         if report is not None and self._counts(report, checked.place):
-            self._output.show(checked._replace(shown=self._options.shown(report)))
+            nearest = self._suggestions.of(report) if isinstance(report, Report) and checked.fix is None else ()
+            shown = self._options.shown(report)
+            self._output.show(checked._replace(shown=shown, nearest=nearest, is_whole=self._options.whole))
 
     def _counts(self, report: Report, place: Place) -> bool:
         """Counts the findings of a report, and returns whether it is shown."""
@@ -265,6 +273,7 @@ def is_reply(record: Record) -> bool:
 )
 @click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
 @click.option("--errors-only", is_flag=True, help="Show errors only; of many frames, only those that have some.")
+@click.option("--all-findings", "whole", is_flag=True, help="Show also findings that a sure suggestion resolves.")
 @click.option("--quiet", is_flag=True, help="Show only the numbers of frames and findings.")
 @click.option(
     "--format",
@@ -282,6 +291,7 @@ def check(
     fixes: bool,
     no_hints: bool,
     errors_only: bool,
+    whole: bool,
     quiet: bool,
     style: str | None,
     carrier: str | None,
@@ -299,7 +309,7 @@ def check(
     \b
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
       ev3proto check 'UI_READ(GET_VBATT, GV0(0))'
-      ev3proto check --fix "0x|09:00|2A:00|80|00:00|81|01|60|"
+      ev3proto check --fix "0x|0C:00|2A:00|80|00:00|A5|01|81:32|A6|00|01|"
       ev3proto check --strict --no-hints robot.log
       ev3proto check robot.rbf
       ev3proto check robot.lms
@@ -309,7 +319,7 @@ def check(
     if code is not None:
         if names:
             raise incompatible("--explain", "FRAME")
-        given = given_options("strict", "fixes", "no_hints", "errors_only", "quiet", "carrier")
+        given = given_options("strict", "fixes", "no_hints", "errors_only", "whole", "quiet", "carrier")
         given += [f"--format {style}"] if style in ("sarif", "github") else []
         if given:
             raise incompatible("--explain", ", ".join(given))
@@ -325,7 +335,7 @@ def check(
         raise incompatible("--fix", f"--format {style}")
     hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
     style = style or ("json" if as_json else "text")
-    options = CheckOptions(fixes, strict, carrier, frozenset(hidden), quiet)
+    options = CheckOptions(fixes, strict, carrier, frozenset(hidden), quiet, whole)
     output = FORMATS[style](reading.dialect)
     takes = Takes(
         wanted="command",

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ev3proto.checking.report import Finding, Fix, Report, Severity
+from ev3proto.checking.report import Finding, Fix, Report, Severity, Suggestion
 from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.errors import counted
 from ev3proto.text.diagnostics import diagnostics, fixed
@@ -53,6 +53,8 @@ class Checked(NamedTuple):
     fix         the fix of a frame; the report is that of the fixed one
     is_program  whether it is a program
     source      what was found in a program's source
+    nearest     what was probably meant by a frame
+    is_whole    whether to show findings that a suggestion resolves, too
     """
 
     place: Place
@@ -61,6 +63,8 @@ class Checked(NamedTuple):
     fix: Fix | None = None
     is_program: bool = False
     source: Sequence[SourceFinding] = ()
+    nearest: Sequence[Suggestion] = ()
+    is_whole: bool = False
 
 
 @dataclass(slots=True)
@@ -131,7 +135,8 @@ class TextOutput(Output):
         elif checked.fix is not None:
             lines = fixed(checked.fix, shown, place=label, dialect=dialect)
         else:
-            lines = diagnostics(report, shown, place=label, dialect=dialect)
+            nearest, is_whole = checked.nearest, checked.is_whole
+            lines = diagnostics(report, shown, place=label, dialect=dialect, nearest=nearest, is_complete=is_whole)
         self._paragraph(lines, is_long=bool(shown) or checked.fix is not None)
 
     def edited(self, edited: FixedFrame, shown: Sequence[Finding], place: Place) -> None:
@@ -174,7 +179,8 @@ class JsonOutput(Output):
         found = checked.fix or checked.report
         entry = _REFUSED if found is None else found.as_dict()
         findings = [*map(_source_entry, checked.source), *(finding.as_dict() for finding in checked.shown)]
-        say_json(checked.place.facts | entry | {"findings": findings})
+        nearest = {"nearest": [one.as_dict() for one in checked.nearest]} if checked.nearest else {}
+        say_json(checked.place.facts | entry | {"findings": findings} | nearest)
 
     def end(self, tally: Tally, *, is_quiet: bool) -> None:
         """Prints the numbers if nothing else is printed."""

@@ -30,12 +30,14 @@ def texts(lines: Iterable[Line]) -> list[str]:
 
 
 def test_a_frame_without_findings() -> None:
-    assert texts(diagnostics(report(TONE))) == ["accepted: no findings"]
-    assert texts(diagnostics(report(TONE), place="robot.log, line 3")) == ["robot.log, line 3: accepted: no findings"]
+    assert texts(diagnostics(report(TONE), nearest=())) == ["accepted: no findings"]
+    assert texts(diagnostics(report(TONE), place="robot.log, line 3", nearest=())) == [
+        "robot.log, line 3: accepted: no findings"
+    ]
 
 
 def test_one_finding() -> None:
-    assert texts(diagnostics(report(TONE, LOW, rejected_at=10))) == [
+    assert texts(diagnostics(report(TONE, LOW, rejected_at=10), nearest=())) == [
         "the brick refuses it at offset 10; 1 error",
         "",
         "error[E1]: the pitch is too low",
@@ -49,7 +51,7 @@ def test_one_finding() -> None:
 
 
 def test_findings_on_the_same_bytes_share_them() -> None:
-    lines = texts(diagnostics(report(TONE, QUIET, LOW, LONG), place="frame 3"))
+    lines = texts(diagnostics(report(TONE, QUIET, LOW, LONG), place="frame 3", nearest=()))
     assert lines[0] == "frame 3: the brick accepts it; 1 error, 1 warning, 1 hint"
     assert lines[9:] == [
         "",
@@ -67,7 +69,7 @@ def test_findings_on_the_same_bytes_share_them() -> None:
 
 def test_only_some_of_the_findings() -> None:
     found = report(TONE, QUIET, LOW, rejected_at=10)
-    lines = texts(diagnostics(found, found.errors))
+    lines = texts(diagnostics(found, found.errors, nearest=()))
     assert lines[0] == "the brick refuses it at offset 10; 1 error, 1 warning (1 not shown)"
     assert [line for line in lines if "[" in line] == ["error[E1]: the pitch is too low"]
 
@@ -87,14 +89,14 @@ def test_only_some_of_the_findings() -> None:
     ],
 )
 def test_the_label_behind_the_underline(offset: int, length: int, line: str) -> None:
-    lines = texts(diagnostics(report(TONE, replace(LENGTH, offset=offset, length=length))))
+    lines = texts(diagnostics(report(TONE, replace(LENGTH, offset=offset, length=length)), nearest=()))
     assert lines[6] == line
 
 
 def test_what_is_missing_is_marked_behind_the_last_byte() -> None:
     cut = TONE[:13]
     missing = Finding(ERROR, "E3", 13, 0, "an argument is missing", "add it", "SOUND.TONE", "DURATION")
-    assert texts(diagnostics(report(cut, missing, rejected_at=13)))[3:] == [
+    assert texts(diagnostics(report(cut, missing, rejected_at=13), nearest=()))[3:] == [
         "    --> offset 13, DURATION of SOUND.TONE",
         "     |",
         "  +0 | 0E 00 2A 00 80 00 00 94 01 01 82 C8 00",
@@ -106,7 +108,7 @@ def test_what_is_missing_is_marked_behind_the_last_byte() -> None:
 
 def test_what_is_missing_behind_a_full_row_is_marked_in_that_row() -> None:
     missing = replace(LENGTH, offset=16, length=0)
-    assert texts(diagnostics(report(TONE, missing)))[5:7] == [
+    assert texts(diagnostics(report(TONE, missing), nearest=()))[5:7] == [
         "  +0 | 0E 00 2A 00 80 00 00 94 01 01 82 C8 00 82 E8 03",
         "     |                                                 ^^",
     ]
@@ -116,7 +118,7 @@ def test_a_span_over_two_rows() -> None:
     frame = ev3proto.direct_command(*[ev3proto.operation("SOUND.TONE", 1, 200, 1000)] * 2).build()
     second = replace(LENGTH, offset=16, length=9)
     first = replace(LENGTH, offset=15, length=2)
-    assert texts(diagnostics(report(frame, first, second)))[5:] == [
+    assert texts(diagnostics(report(frame, first, second), nearest=()))[5:] == [
         "  +0 | 17 00 00 00 80 00 00 94 01 01 82 C8 00 82 E8 03",
         "     |                                              ^^",
         " +16 | 94 01 01 82 C8 00 82 E8 03",
@@ -136,7 +138,7 @@ def test_a_span_over_two_rows() -> None:
 
 def test_a_long_span_is_cut_in_the_middle() -> None:
     frame = ev3proto.direct_command(ev3proto.operation("COM_SET.SET_BRICKNAME", "x" * 200)).build()
-    lines = texts(diagnostics(report(frame, replace(LENGTH, offset=9, length=202))))
+    lines = texts(diagnostics(report(frame, replace(LENGTH, offset=9, length=202)), nearest=()))
     rows = [line.split("|")[0].strip() for line in lines if "|" in line]
     assert [row for row in rows if row] == ["+0", "+16", "+32", "...", "+208"]
     assert max(map(len, lines)) <= 120
@@ -145,7 +147,7 @@ def test_a_long_span_is_cut_in_the_middle() -> None:
 def test_repetitions_are_told_in_one_line() -> None:
     frame = ev3proto.direct_command(*[ev3proto.operation("UI_FLUSH")] * 20).build()
     many = [replace(LENGTH, offset=7 + number, length=1) for number in range(20)]
-    lines = texts(diagnostics(report(frame, *many)))
+    lines = texts(diagnostics(report(frame, *many), nearest=()))
     assert sum(line.startswith("error[E2]: the length") for line in lines) == MOST_ALIKE
     assert lines[-1] == (
         "error[E2]: and 16 more of these, at offsets 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, ..."
@@ -154,12 +156,12 @@ def test_repetitions_are_told_in_one_line() -> None:
 
 def test_system_commands_are_decoded_too() -> None:
     frame = ev3proto.system_command("DELETE_FILE", path="../prjs/x").build()
-    lines = texts(diagnostics(report(frame, replace(LENGTH, offset=6, length=11, operation="DELETE_FILE"))))
+    lines = texts(diagnostics(report(frame, replace(LENGTH, offset=6, length=11, operation="DELETE_FILE")), nearest=()))
     assert '     = DELETE_FILE path="../prjs/x"' in lines
 
 
 def test_the_colour_is_that_of_the_worst() -> None:
-    lines = list(diagnostics(report(TONE, LONG, LOW)))
+    lines = list(diagnostics(report(TONE, LONG, LOW), nearest=()))
     (underline,) = [line for line in lines if any("^" in text for text, _ in line)]
     assert [role for text, role in underline if "^" in text] == [Role.FAULT]
     (row,) = [line for line in lines if any(" 0E" in text for text, _ in line)]
@@ -218,6 +220,6 @@ def test_only_fixed_frames_are_read_again() -> None:
 
 
 def test_lines_know_the_finding_that_they_are_about() -> None:
-    lines = list(diagnostics(report(TONE, LOW, rejected_at=10)))
+    lines = list(diagnostics(report(TONE, LOW, rejected_at=10), nearest=()))
     assert (lines[0].offset, lines[0].length, lines[0].code) == (0, 16, "")
     assert [(line.offset, line.length, line.code) for line in lines[2:]] == [(10, 3, "E1")] * 7

@@ -113,3 +113,42 @@ def test_the_search_stays_within_its_bounds(frame: bytes) -> None:
     with patch.object(search, "check", counted):
         search.nearest.__wrapped__(report)
     assert sum(checked) <= 12_000 + 2 * 1100
+
+
+@pytest.mark.parametrize(
+    ("operations", "meant"),
+    [
+        ("A4 00 0F 4B A6 00 0F", "A4 00 0F 814B A6 00 0F"),  # a variable beyond the memory
+        ("A5 00 01 64 A6 00 01", "A5 00 01 8164 A6 00 01"),
+        ("A5 00 01 9C A6 00 01", "A5 00 01 819C A6 00 01"),  # a text that takes the bytes after it
+        ("A5 00 01 9C A6 01 01", "A5 00 01 819C A6 01 01"),  # one that does not end
+        ("A5 00 01 EC A6 00 01", "A5 00 01 2C A6 00 01"),  # no argument at all
+        ("A5 00 01 B5 A6 00 01", "A5 00 01 81B5 A6 00 01"),  # a label
+        ("94 01 01 B8 01 82 E8 03", "94 01 01 82B801 82E803"),
+        ("94 01 01 82 B8 01 E8 03", "94 01 01 82B801 82E803"),
+        ("AE 00 01 1E 00 68 00 01", "AE 00 01 1E 00 8168 00 01"),
+        ("82 1B 50", "82 1B 50"),  # the light has no pattern 80: more memory is likelier
+        ("A5 00 01 E1 9C A6 00 01", "A5 00 01 E1 9C A6 00 01"),  # a long index is written on purpose
+        ("30 05 4B A4 00 01 4B A6 00 01", "30 05 4B A4 00 01 4B A6 00 01"),  # the command itself writes it
+    ],
+)
+def test_a_number_without_identification_byte(operations: str, meant: str) -> None:
+    (one,) = code(operations)
+    assert one.frame[7:] == bytes.fromhex(meant)
+
+
+def test_the_counter_of_a_log_does_not_matter() -> None:
+    """The suggestions are those of the first frame with this content, with the counter of each."""
+    suggestions = search.Suggestions()
+    for counter in ("0100", "0200"):
+        frame = bytes.fromhex(f"0C00 {counter} 80 0000 A5 01 8132 A6 00 01")
+        (one,) = suggestions.of(ev3proto.check(frame, alone=True))
+        assert one.frame == bytes.fromhex(f"0D00 {counter} 80 0000 A5 00 01 8132 A6 00 01")
+
+
+def test_a_run_has_a_limit() -> None:
+    suggestions = search.Suggestions()
+    for number in range(101):
+        assert not suggestions.is_stopped
+        suggestions.of(ev3proto.check(bytes.fromhex(f"0C00 0100 80 0000 A5 01 81{number:02X} A6 00 01"), alone=True))
+    assert suggestions.is_stopped

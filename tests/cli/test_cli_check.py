@@ -106,14 +106,12 @@ def test_findings_that_are_not_shown() -> None:
 
 
 def test_a_fixed_frame() -> None:
-    done = run("--fix", WITHOUT_REPLY.replace("08:00", "09:00"))
+    done = run("--fix", WITHOUT_REPLY)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
-        "fixed in 2 places",
+        "fixed in 1 place",
         "0x|08:00|2A:00|00|04:00|81|01|60|",
-        "  length field: 9 -> 8 (the number of bytes that follow it)",
-        "  type: DIRECT_COMMAND_NO_REPLY -> DIRECT_COMMAND_REPLY (UI_READ.GET_VBATT writes GV(0), which only a reply"
-        " carries)",
+        "  type: 80 -> 00 (the type asks for no reply, which alone carries the results of UI_READ.GET_VBATT)",
         "fixed: accepted: no findings",
     ]
 
@@ -122,7 +120,7 @@ def test_a_fixed_frame_as_json() -> None:
     (entry,) = entries("--fix", WITHOUT_REPLY)
     assert (entry["hex"], entry["accepted"], entry["findings"]) == (VOLTAGE_BYTES, True, [])
     (change,) = entry["changes"]
-    assert (change["what"], change["after"]) == ("type", "DIRECT_COMMAND_REPLY")
+    assert (change["what"], change["after"]) == ("type", "00")
     assert entry["unfixed"] == []
 
 

@@ -61,13 +61,21 @@ def _check() -> Schema:
         "accepted": FLAG,
         "rejected_at": maybe(WHOLE),
         "findings": list_of(reference("finding")),
+        "nearest": list_of(_suggestion()),
         "hex": HEX,
         "fixed": FLAG,
         "changes": list_of(object_of({field.name: TEXT for field in fields(Change)})),
         "unfixed": list_of(TEXT),
         "omitted": WHOLE,
     }
-    return object_of(properties, "source", "packet", "line", "column", "fixed", "changes", "unfixed", "omitted")
+    maybe_absent = ("source", "packet", "line", "column", "nearest", "fixed", "changes", "unfixed", "omitted")
+    return object_of(properties, *maybe_absent)
+
+
+def _suggestion() -> Schema:
+    span = list_of(WHOLE)
+    facts = {"kind": TEXT, "offset": WHOLE, "length": WHOLE, "message": TEXT, "hex": HEX}
+    return object_of(facts | {"unknown": list_of(span), "sure": FLAG})
 
 
 def _counts() -> Schema:

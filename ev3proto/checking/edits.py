@@ -17,16 +17,13 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import LENGTH_FIELD, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
 
 TYPE_AT = HEADER_SIZE - 1
-_COMMANDS = {int(one): one for one in MessageType if one.kind in ("direct-command", "system-command")}
-DIRECT = frozenset(number for number, one in _COMMANDS.items() if one.kind == "direct-command")
-"""The types of direct commands."""
-SYSTEM = frozenset(_COMMANDS) - DIRECT
-"""The types of system commands."""
+DIRECT, SYSTEM = (frozenset(map(int, TYPES_BY_KIND[f"{kind}-command"])) for kind in ("direct", "system"))
+_COMMANDS = {number: MESSAGE_TYPES[number] for number in sorted(DIRECT | SYSTEM)}
 _REPLY_BIT = MessageType.DIRECT_COMMAND_REPLY ^ MessageType.DIRECT_COMMAND_NO_REPLY
 
 _LC1, _LC2, _LC4 = (encode_integer(number)[0] for number in (100, 1000, 100_000))

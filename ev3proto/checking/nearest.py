@@ -36,7 +36,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.footprint import footprints, needed
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, REPLY_TYPES, MessageType
 
 SURE = 3.6
 """The cost up to which a suggestion without a guess is certain enough for a fix."""
@@ -66,7 +66,6 @@ _WEIGHTS = {
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
 _REFUSED = 6.0
-_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
 
 
 _CHANGED = {"utf-8": 2, "text-mode": 2, "replaced": 3, "ascii": 1}
@@ -353,7 +352,7 @@ class _Search:
 
 
 def _is_reply(frame: bytes) -> bool:
-    return frame[TYPE_AT] in _REPLIES
+    return frame[TYPE_AT] in REPLY_TYPES
 
 
 def _by_cost(one: _Judged) -> float:

@@ -13,6 +13,7 @@ from itertools import islice
 
 from ev3proto.capture.evidence import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameReader
+from ev3proto.schema.frame_buffer import polls_end
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
 from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
@@ -50,16 +51,6 @@ _WITH_DATA = {
 """The system commands with data, which may be any bytes."""
 
 _SYSTEM = {bytes((number,)) for number, member in MESSAGE_TYPES.items() if member.carries == "system"}
-
-
-_POLLS = re.compile(b"(?:%b)*" % re.escape(bytes(LENGTH_FIELD)))
-
-
-def polls_end(buffer: bytes, at: int) -> int:
-    """Returns the offset after the polls at an offset: length fields of 0, which the brick passes over."""
-    found = _POLLS.match(buffer, at)
-    assert found is not None
-    return found.end()
 
 
 class Found(Enum):

@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
-from ev3proto.capture.finding import Accepts, Finder, Found, polls_end
+from ev3proto.capture.finding import Accepts, Finder, Found
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
+from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
 from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, may_have_length
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -26,6 +27,10 @@ _REQUEST = UNLOCK_REQUEST.encode()
 _TEXT_STARTS = {ACCEPT[0], _REQUEST[0]}
 _LINE_END = b"\r\n"
 _BEGUN_INSIDE, _BETWEEN = "the capture begins inside a frame", "bytes between frames"
+
+
+def _believe(data: bytearray, at: int) -> str | None:
+    return None if may_have_length(data, at) else impossible_length(frame_size(data, at) - LENGTH_FIELD)
 
 
 class PartKind(Enum):
@@ -78,7 +83,7 @@ class Cutter:
 
     def __init__(self, schema: FrameReader, *, in_step: bool, may_gap: bool = False) -> None:
         self._finder = Finder(schema)
-        self._buffer = b""
+        self._buffer = FrameBuffer(judge=_believe)
         self._marks: list[tuple[int, int]] = []  # the offset in the buffer and the number of each packet
         self._in_step = in_step
         self._trials = 0  # number of frames to judge before the stream counts as in step again
@@ -95,13 +100,13 @@ class Cutter:
         if self.takes_whole(data):
             return [StreamPart(PartKind.FRAME, data, (number,))]
         self._marks.append((len(self._buffer), number))
-        self._buffer += data
+        self._buffer.append(data)
         return self._cut()
 
     def takes_whole(self, data: bytes) -> bool:
         """Takes the next bytes of the stream if they are exactly one frame. Returns whether they are."""
         size = len(data)
-        if self._buffer or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
+        if len(self._buffer) or not self._in_step or size < HEADER_SIZE or size > MAX_FRAME:
             return False
         if frame_size(data) != size:
             return False
@@ -116,7 +121,7 @@ class Cutter:
     @property
     def left(self) -> bytes:
         """The pending bytes."""
-        return self._buffer
+        return self._buffer.pending
 
     @property
     def waiting(self) -> list[int]:
@@ -155,7 +160,7 @@ class Cutter:
             return self.leave_hole(missing)
         rest = self._rest_after(missing)
         frame = self._piece(PartKind.FRAME, 0, len(self._buffer))
-        self._buffer, self._marks = b"", []
+        self._drop()
         self._in_step, self._rest = rest == 0, rest or 0
         self._reason = f"bytes of a frame of which {counted(missing, 'byte')} were not captured"
         return [frame]
@@ -181,8 +186,8 @@ class Cutter:
         """Returns the number of bytes of the pending frame after a gap; None if unknown."""
         if self._rest:
             rest = self._rest - len(self._buffer) - missing
-        elif self._in_step and not self._trials and len(self._buffer) >= LENGTH_FIELD:
-            rest = frame_size(self._buffer) - len(self._buffer) - missing
+        elif self._in_step and not self._trials and self._buffer.size is not None:
+            rest = self._buffer.size - len(self._buffer) - missing
         else:
             return None
         return rest if rest >= 0 else None
@@ -195,8 +200,8 @@ class Cutter:
         reason = (
             f"the stream ends inside a {'text' if is_text else 'frame'}, of which {counted(len(buffer), 'byte')} came"
         )
-        if self._in_step and len(buffer) >= LENGTH_FIELD and not is_text:
-            reason += f" and {frame_size(buffer) - len(buffer)} are missing"
+        if self._in_step and buffer.size is not None and not is_text:
+            reason += f" and {buffer.size - len(buffer)} are missing"
         return found + self._take_all(reason)
 
     def _give_up(self) -> list[StreamPart]:
@@ -209,23 +214,24 @@ class Cutter:
 
     def _is_in_text(self) -> bool:
         """Returns whether the pending bytes are the beginning of a text."""
-        return len(self._buffer) >= LENGTH_FIELD and self._is_part_of_text(self._buffer)
+        return len(self._buffer) >= LENGTH_FIELD and self._is_part_of_text(self._buffer.pending)
 
     def _take_all(self, reason: str) -> list[StreamPart]:
-        if not self._buffer:
+        if not len(self._buffer):
             return []
         kind = PartKind.LOST
-        if self._after_text is PartKind.UNLOCK and not self._buffer.strip(_LINE_END):
+        if self._after_text is PartKind.UNLOCK and not self._buffer.pending.strip(_LINE_END):
             kind = PartKind.TEXT_END
         piece = self._piece(kind, 0, len(self._buffer), self._reason or reason)
-        self._buffer, self._marks, self._passed = b"", [], 0
+        self._drop()
+        self._passed = 0
         if kind is PartKind.LOST:
             # If more bytes come, they do not start with a frame.
             self._in_step, self._reason = False, _BETWEEN
         return [piece]
 
     def _cut(self, *, is_last: bool = False) -> list[StreamPart]:
-        buffer, at = self._buffer, 0
+        buffer, at = self._buffer.pending, 0
         found: list[StreamPart] = []
         if self._rest and buffer:
             at = min(self._rest, len(buffer))
@@ -242,7 +248,7 @@ class Cutter:
                 if self._in_step:
                     # If there can be no gap, this is the sender's fault: the packet is complete.
                     first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
-                reason = self._lost(buffer, at)
+                reason = self._lost(at)
                 end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
                 if end > at:
                     found.append(self._piece(kind, at, end, reason))
@@ -263,8 +269,13 @@ class Cutter:
         if at == 0:
             return found
         self._marks = [(max(start - at, 0), number) for start, number, stop in self._spans() if stop > at]
-        self._buffer = buffer[at:]
+        self._buffer.skip(at)
         return found
+
+    def _drop(self) -> None:
+        """Removes all pending bytes."""
+        self._buffer.skip(len(self._buffer))
+        self._marks = []
 
     def _spans(self) -> Iterator[tuple[int, int, int]]:
         """Yields the bytes of each packet in the buffer: start, number, end."""
@@ -277,7 +288,7 @@ class Cutter:
 
     def _ends_with_frame(self) -> bool:
         """Returns whether the newest packet is exactly one valid frame: the stream continues there."""
-        buffer, start = self._buffer, self._marks[-1][0]
+        buffer, start = self._buffer.pending, self._marks[-1][0]
         if len(buffer) - start < HEADER_SIZE:
             return False
         end = start + frame_size(buffer, start)
@@ -287,13 +298,13 @@ class Cutter:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))
         return StreamPart(kind, self._buffer[at:end], numbers, reason)
 
-    def _lost(self, buffer: bytes, at: int) -> str:
+    def _lost(self, at: int) -> str:
         if not self._in_step:
             return self._reason
         self._in_step = False
         self._reason = _BETWEEN
-        size = frame_size(buffer, at)
-        return _BETWEEN if may_have_length(buffer, at) else impossible_length(size - LENGTH_FIELD)
+        front = self._buffer.look(at)
+        return front.reason if isinstance(front, OutOfStep) else _BETWEEN
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """Returns the piece at an offset, and its end, which is after the buffer's end if more bytes are needed."""
@@ -303,13 +314,14 @@ class Cutter:
             return text
         if not self._in_step:
             return PartKind.LOST, more
-        if len(buffer) - at < LENGTH_FIELD:
-            return PartKind.FRAME, more
         if (end := polls_end(buffer, at)) > at:
             return PartKind.POLL, end
-        if not may_have_length(buffer, at):
+        front = self._buffer.look(at)
+        if front is None:
+            return PartKind.FRAME, more
+        if isinstance(front, OutOfStep):
             return PartKind.LOST, more
-        end = at + frame_size(buffer, at)
+        end = front
         may_gap = self._may_gap and any(at <= start < end for start, _ in self._marks)
         if (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE:
             return self._judge(buffer, at, end, is_last)

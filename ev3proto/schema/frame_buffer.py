@@ -68,10 +68,13 @@ class FrameBuffer:
         self._resync = resync
         self._polls = polls
         self._least = least
-        self._reason: str | None = None  # why it is out of step
+        self._lost: OutOfStep | None = None  # why it is out of step
 
     def __len__(self) -> int:
         return len(self._data)
+
+    def __getitem__(self, part: slice) -> bytes:
+        return bytes(self._data[part])
 
     def __iter__(self) -> Iterator[bytes]:
         """Yields whole frames, up to the first bytes that are not one."""
@@ -107,8 +110,21 @@ class FrameBuffer:
         skipped = bytes(self._data[:size])
         del self._data[:size]
         self.position += len(skipped)
-        self._reason = None
+        self._lost = None
         return skipped
+
+    def look(self, at: int = 0) -> int | OutOfStep | None:
+        """Looks at an offset, and removes nothing.
+
+        Returns:
+            The offset after the frame there, which may be more than there is; why it is not a frame; None if more bytes
+            are needed to tell.
+        """
+        data = self._data
+        if len(data) - at < self._least:
+            return None
+        reason = self._judge(data, at)
+        return at + frame_size(data, at) if reason is None else OutOfStep(reason)
 
     def next(self) -> bytes | OutOfStep | None:
         """Removes the next frame from the buffer.
@@ -116,28 +132,29 @@ class FrameBuffer:
         Returns:
             A whole frame; what is there instead of one; None if more bytes are needed.
         """
-        data, first = self._data, 0
-        if self._reason is None:
-            if self._polls and data.startswith(_POLL):
-                self.skip(polls_end(data))
-            if len(data) < self._least:
-                return None
-            self._reason = self._judge(data, 0)
-            if self._reason is None:
-                return self._whole()
-            first = 1
-        if self._resync is None:
-            return OutOfStep(self._reason)
-        reason, at = self._reason, self._resync(data, first)
-        if at:
-            lost = OutOfStep(reason, self.skip(at))
-            self._reason = reason
-            return lost
-        return self._whole() if len(data) >= self._least else None
+        if self._lost is not None:
+            return self._search(0)
+        if self._polls and self._data.startswith(_POLL):
+            self.skip(polls_end(self._data))
+        end = self.look()
+        if isinstance(end, OutOfStep):
+            self._lost = end
+            return self._search(1)
+        return None if end is None or end > len(self._data) else self.skip(end)
 
-    def _whole(self) -> bytes | None:
-        size = frame_size(self._data)
-        return self.skip(size) if len(self._data) >= size else None
+    def _search(self, first: int) -> bytes | OutOfStep | None:
+        """Removes the bytes before the next possible frame, or this frame if there are none."""
+        lost = self._lost
+        assert lost is not None
+        if self._resync is None:
+            return lost
+        at = self._resync(self._data, first)
+        if at:
+            skipped = self.skip(at)
+            self._lost = lost
+            return lost._replace(data=skipped)
+        whole = len(self._data) >= self._least and self.missing == 0
+        return self.skip(frame_size(self._data)) if whole else None
 
 
 def polls_end(data: bytes | bytearray, at: int = 0) -> int:

@@ -41,30 +41,6 @@ def test_an_impossible_length() -> None:
     assert len(decoder.pending) == pending
 
 
-@pytest.mark.parametrize("operations", [0, 1, 1017])
-def test_the_shortest_and_the_longest_frame(operations: int) -> None:
-    frame = (5 + operations).to_bytes(2, "little") + bytes.fromhex("01 00 80 00 00") + b"\x01" * operations
-    decoder = ev3proto.Decoder()
-    (message,) = decoder.feed(frame)
-    assert message.build() == frame
-    assert decoder.close() is None
-
-
-@pytest.mark.parametrize("start", ["01 00", "02 00", "FF 03 01 00 80", "FF FF 01 00 00", "FF 03 01 00 01 99"])
-def test_impossible_lengths(start: str) -> None:
-    with pytest.raises(ev3proto.StreamError):
-        list(ev3proto.Decoder().feed(bytes.fromhex(start)))
-
-
-@pytest.mark.parametrize("size", [1017, 1018, 65_530])
-def test_downloads_may_be_long(size: int) -> None:
-    frame = ev3proto.system_command("CONTINUE_DOWNLOAD", handle=3, data=b"x" * size).build()
-    decoder = ev3proto.Decoder()
-    found = [message for at in range(0, len(frame), 5) for message in decoder.feed(frame[at : at + 5])]
-    assert [message.build() for message in found] == [frame]
-    assert decoder.close() is None
-
-
 def test_polls_are_skipped() -> None:
     decoder = ev3proto.Decoder()
     chunks = (b"\0", b"\0" + TONE + bytes(6), NOP + b"\0", b"\0")

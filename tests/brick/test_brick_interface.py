@@ -393,35 +393,77 @@ class TestDialogues:
 class TestSound:
     TEST = "DATA8 busy SOUND_TEST(busy)"
 
-    def test_a_tone_ends_by_itself(self, brick: Brick) -> None:
-        ask(brick, "SOUND(TONE, 50, 20000, 100)")
+    def is_busy(self, brick: Brick) -> bool:
+        return ask(brick, self.TEST) == "01"
+
+    @pytest.mark.parametrize(
+        ("volume", "hertz", "played"),
+        [
+            # Volume in steps of an eighth, rounded up; a negative one is loudest.
+            (0, 440, (0, 440)),
+            (1, 440, (8, 440)),
+            (50, 440, (56, 440)),
+            (96, 440, (96, 440)),
+            (97, 440, (104, 440)),
+            (-1, 440, (104, 440)),
+            # Hertz within limits; a negative number is a large one.
+            (1, 20_000, (8, 10_000)),
+            (1, 20, (8, 250)),
+            (1, -1, (8, 10_000)),
+        ],
+    )
+    def test_tones(self, brick: Brick, volume: int, hertz: int, played: tuple[int, int]) -> None:
+        ask(brick, f"SOUND(TONE, {volume}, {hertz}, 100)")
         assert brick.sound.playing is not None
-        assert (brick.sound.playing.volume, brick.sound.playing.frequency) == (48, 10000)
-        assert ask(brick, self.TEST) == "01"
+        assert (brick.sound.playing.volume, brick.sound.playing.frequency) == played
+        assert self.is_busy(brick)
         brick.advance(0.1)
-        assert ask(brick, self.TEST) == "00"
+        assert not self.is_busy(brick)
 
     def test_a_tone_without_end_is_broken_off(self, brick: Brick) -> None:
         ask(brick, "SOUND(TONE, 50, 440, 0)")
         brick.advance(3600)
-        assert ask(brick, self.TEST) == "01"
+        assert self.is_busy(brick)
         ask(brick, "SOUND(BREAK)")
-        assert ask(brick, self.TEST) == "00"
+        assert not self.is_busy(brick)
 
     def test_waiting_for_silence(self, brick: Brick) -> None:
         assert ask(brick, "SOUND(TONE, 1, 440, 50) SOUND_READY()", seconds=0.045) == "busy"
         assert answer(brick.advance(0.01)) == ""
 
-    def test_sound_files(self, tmp_path: Path) -> None:
-        """Half a second: 4000 samples, 8000 a second."""
+    @pytest.mark.parametrize(
+        ("header", "size", "seconds"),
+        [
+            # Format, bytes of data, samples a second, mode. The rate is not used: 8000 a second.
+            ("0100 0fa0 1f40 0000", 4000, 0.5),
+            ("0100 0fa0 3e80 0000", 4000, 0.5),
+            ("0101 0fa0 1f40 0000", 4000, 1.0),
+            ("7777 0fa0 1f40 0000", 4000, 0.5),
+            # It ends with the file.
+            ("0100 0fa0 1f40 0000", 800, 0.1),
+        ],
+    )
+    def test_sound_files(self, tmp_path: Path, header: str, size: int, seconds: float) -> None:
         (tmp_path / "sys").mkdir()
-        (tmp_path / "sys" / "horn.rsf").write_bytes(bytes.fromhex("0100 0fa0 1f40 0000") + bytes(4000))
+        (tmp_path / "sys" / "horn.rsf").write_bytes(bytes.fromhex(header) + bytes(size))
         brick = Brick(root=tmp_path)
-        assert ask(brick, "SOUND(PLAY, 100, './horn') SOUND_READY()", seconds=0.49) == "busy"
+        assert ask(brick, "SOUND(PLAY, 100, './horn') SOUND_READY()", seconds=seconds - 0.01) == "busy"
         assert answer(brick.advance(0.02)) == ""
         ask(brick, "SOUND(REPEAT, 100, 'horn')")
         brick.advance(60)
-        assert ask(brick, self.TEST) == "01"
-        assert ask(brick, f"{self.TEST.split(' SOUND')[0]} SOUND(PLAY, 100, 'none') SOUND_TEST(busy)") == "01"
+        assert self.is_busy(brick)
+
+    def test_a_missing_file_keeps_the_speaker_busy(self, brick: Brick) -> None:
+        ask(brick, "SOUND(PLAY, 100, 'none')")
+        brick.advance(3600)
+        assert self.is_busy(brick)
+        assert ask(brick, "SOUND_READY()", seconds=10) == "busy"
+        assert brick.waits_for == (
+            "SOUND_READY waits for the end of a sound file that is missing or empty, which plays until SOUND.BREAK or"
+            " another sound"
+        )
+
+    def test_a_tone_ends_the_wait_for_a_missing_file(self, brick: Brick) -> None:
+        ask(brick, "SOUND(PLAY, 100, 'none') SOUND(TONE, 1, 440, 10)")
         brick.advance(0.01)
-        assert ask(brick, self.TEST) == "00"
+        assert not self.is_busy(brick)

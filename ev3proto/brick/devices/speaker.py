@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect
 from dataclasses import dataclass
 
 from ev3proto.brick.parts import Part
@@ -10,24 +11,39 @@ from ev3proto.brick.running_programs import USER_SLOT, Program
 LOWEST, HIGHEST = 250, 10_000
 """Hertz that the driver can play; others are clamped."""
 
-_STEPS, _STEP = 13, 8
-_SHORTEST = 10_000
-"""Microseconds until the driver reports the end of an empty file."""
+_TONE_LEVELS, _TONE_STEP = 13, 8
+"""Levels of a tone, and the percent of each."""
+
+_FILE_LEVELS = (1, 14, 26, 39, 51, 64, 76, 89)
+"""Percent from which a file has the next of its levels."""
+
+_FILE_STEP = 12
+"""Percent of each level of a file."""
 
 _HEADER = 8
 _COMPRESSED = 0x0101
-_MICROSECONDS = 1_000_000
+_SAMPLE = 125
+"""Microseconds of a sample of a file. The driver reads the rate in its header, and ignores it."""
+
+_UNSIGNED = 0xFFFF
 
 
 @dataclass(frozen=True)
 class Playing:
     """A tone or file that is being played."""
 
-    volume: int  # percent, in steps of 8
+    volume: int  # percent as the driver plays it: a tone in steps of 8, a file in steps of 12
     frequency: int  # of a tone, in hertz; 0 for a file
-    file: bytes  # of a sound file, its contents; empty for a tone
+    file: bytes  # of a sound file, its contents; empty for a tone, and for a file that does not exist
     began: int  # when, in microseconds of the brick's clock
-    ends: int | None  # when; None: never
+    ends: int | None  # when; None: not by itself
+
+    @property
+    def kind(self) -> str:
+        """What it is, in words."""
+        if self.frequency:
+            return "a tone without end"
+        return "a repeated sound file" if _length(self.file) else "a sound file that is missing or empty"
 
 
 class Sound(Part):
@@ -37,14 +53,34 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone: volume in percent, hertz, milliseconds (0: without end), the clock in microseconds."""
-        frequency = max(LOWEST, min(frequency, HIGHEST))
-        self.playing = Playing(_loudness(volume), frequency, b"", now, now + duration * 1000 if duration else None)
+        """Plays a tone, which replaces what is playing.
+
+        Args:
+            volume: Percent; a negative one is the loudest.
+            frequency: Hertz, read without sign, and clamped.
+            duration: Milliseconds, read without sign; 0: without end.
+            now: The clock in microseconds.
+        """
+        level = _TONE_LEVELS if volume < 0 else min(-(-volume // _TONE_STEP), _TONE_LEVELS)
+        frequency = max(LOWEST, min(frequency & _UNSIGNED, HIGHEST))
+        duration = (duration & _UNSIGNED) * 1000
+        self.playing = Playing(level * _TONE_STEP, frequency, b"", now, now + duration if duration else None)
 
     def play(self, volume: int, file: bytes, is_repeated: bool, now: int) -> None:
-        """Plays a sound file at a volume in percent; an empty file is silent and counts as sounding for a moment."""
-        ends = None if is_repeated else now + max(_length(file), _SHORTEST)
-        self.playing = Playing(_loudness(volume), 0, file, now, ends)
+        """Plays a sound file, in place of what is playing.
+
+        As in the driver, one that does not exist or has no data does not end by itself.
+
+        Args:
+            volume: Percent; a negative one is the loudest.
+            file: Its contents; empty if it does not exist.
+            is_repeated: Whether it is played without end.
+            now: The clock in microseconds.
+        """
+        level = len(_FILE_LEVELS) if volume < 0 else bisect(_FILE_LEVELS, volume)
+        length = _length(file)
+        ends = now + length if length and not is_repeated else None
+        self.playing = Playing(level * _FILE_STEP, 0, file, now, ends)
 
     def stop(self) -> None:
         """Stops what is playing."""
@@ -61,14 +97,8 @@ class Sound(Part):
             self.stop()
 
 
-def _loudness(volume: int) -> int:
-    """Returns a volume as the driver plays it."""
-    return max(0, min(volume // _STEP, _STEPS)) * _STEP
-
-
 def _length(file: bytes) -> int:
-    """Returns how long a sound file plays, in microseconds: its header has kind, bytes and samples a second."""
-    kind, size, rate = (int.from_bytes(file[at : at + 2], "big") for at in (0, 2, 4))
-    size = min(size, len(file) - _HEADER)
-    samples = size * 2 if kind == _COMPRESSED else size
-    return samples * _MICROSECONDS // rate if rate and samples > 0 else 0
+    """Returns how long a sound file plays, in microseconds: its header has format and bytes of data."""
+    kind, size = (int.from_bytes(file[at : at + 2], "big") for at in (0, 2))
+    size = max(0, min(size, len(file) - _HEADER))
+    return size * _SAMPLE * (2 if kind == _COMPRESSED else 1)

@@ -12,19 +12,16 @@ _EXTENSION = str(CONSTANTS["EXT_SOUND"]).encode(STRING_CODING)
 
 
 def _play(vm: Machine, volume: int, name: bytes, *, is_repeated: bool) -> None:
-    """Plays a file; an unknown one is played as an empty file."""
+    """Plays a file. One that does not exist keeps the speaker busy, as in the firmware."""
     folder = b"" if name.startswith(b".") else vm.program.folder.encode(STRING_CODING)
     file = vm.brick.files.read(folder + name + _EXTENSION)
-    vm.brick.sound.play(volume, file or b"", is_repeated and file is not None, vm.microseconds)
+    vm.brick.sound.play(volume, file or b"", is_repeated, vm.microseconds)
 
 
 computes(
     {
         "SOUND.BREAK": lambda vm: vm.brick.sound.stop(),
-        # The duration, in ms, is read without its sign.
-        "SOUND.TONE": lambda vm, volume, hertz, duration: vm.brick.sound.tone(
-            volume, hertz, duration & 0xFFFF, vm.microseconds
-        ),
+        "SOUND.TONE": lambda vm, *tone: vm.brick.sound.tone(*tone, vm.microseconds),
         "SOUND.PLAY": lambda vm, volume, name: _play(vm, volume, name, is_repeated=False),
         "SOUND.REPEAT": lambda vm, volume, name: _play(vm, volume, name, is_repeated=True),
         "SOUND_TEST": lambda vm: vm.brick.sound.playing is not None,
@@ -35,5 +32,9 @@ computes(
 @handles("SOUND_READY")
 def wait_for_silence(vm: Machine) -> None:
     """Waits until nothing is playing."""
-    if vm.brick.sound.playing is not None:
+    playing = vm.brick.sound.playing
+    if playing is None:
+        return
+    if playing.ends is not None:
         raise Busy
+    raise Busy(f"SOUND_READY waits for the end of {playing.kind}, which plays until SOUND.BREAK or another sound")

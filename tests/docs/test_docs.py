@@ -89,6 +89,7 @@ def test_the_first_place_that_a_search_finds_is_the_entry_itself(
         ("voltage", "reference/ui.html#ui-read-get-vbatt"),
         ("read a sensor", "reference/input.html#input-readsi"),
         ("light", "reference/ui.html#ui-write-led"),
+        ("motor does not turn", "howto/first-steps.html"),
     ],
 )
 def test_a_search_finds_operations_by_what_they_do(searching: Chrome, built: Path, words: str, place: str) -> None:

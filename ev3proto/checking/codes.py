@@ -775,6 +775,18 @@ WRONG_KIND_OF_PORT = _code(
     alone=True,
 )
 
+PORT_OF_NEXT_BRICK = _code(
+    "H703",
+    "a sensor port of the next brick",
+    """
+    Sensor ports are printed 1 to 4 on the brick, and have the numbers 0 to 3. Number 4 is port 1 of the next brick of a
+    daisy chain; without one, there is no value. Only `check` of a single frame says so.
+    """,
+    _sized("2A:00|00|04:00|9D:00:04:00:3F:60"),
+    _sized("2A:00|00|04:00|9D:00:03:00:3F:60"),
+    alone=True,
+)
+
 # 8: system messages, and messages between bricks
 
 UNKNOWN_SYSTEM = _code(
@@ -887,6 +899,17 @@ TEXT_WITHOUT_ZERO = _code(
     """,
     _sized("2A:00|81|9E:02:61:00:02:00:68:69"),
     _sized("2A:00|81|9E:02:61:00:03:00:68:69:00"),
+)
+
+NUMBER_OF_ANOTHER_TYPE = _code(
+    "W806",
+    "a number of another type in a mailbox",
+    """
+    A number in a mailbox is a float of four bytes, little-endian: a single. Programs for EV3 read integers, doubles and
+    numbers in network order as something else, mostly as zero.
+    """,
+    _sized("2A:00|81|9E:04:61:62:63:00:04:00:0A:00:00:00"),
+    _sized("2A:00|81|9E:04:61:62:63:00:04:00:00:00:20:41"),
 )
 
 # 9: encodings

@@ -11,6 +11,7 @@ from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, results
+from ev3proto.tables import mailboxes
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
@@ -30,6 +31,10 @@ _LAYOUTS = {
 }
 _BY_SIZE = {1: Type.DATA8, 2: Type.DATA16, 4: Type.DATA32}
 _NAN = {str(kind): RANGES[kind].nan for kind in _BY_SIZE.values()}
+
+
+_MOST_GUESSED = 8
+"""The most numbers of global memory that are read without the command."""
 
 
 class Value(NamedTuple):
@@ -189,3 +194,28 @@ def _untyped(outputs: list[Footprint], start: int, end: int) -> Type:
     end = min((found.start for found in outputs if start < found.start < end), default=end)
     room = max((size for size in _BY_SIZE if size <= end - start), default=UNTYPED_SIZE)
     return _BY_SIZE[room]
+
+
+def guesses(memory: bytes) -> dict[str, ValueType]:
+    """Returns what global memory may hold, by type, likeliest first: for a reply whose command is unknown.
+
+    Numbers are of the largest size that divides the memory, and at most 8: `{"DATAF": 6.0, "DATA32": 1086324736}`,
+    or a list of several. A text is printable up to its first zero, and nothing follows.
+    """
+    found: dict[str, ValueType] = {}
+    text, zero, rest = memory.partition(b"\0")
+    if zero and len(text) > 1 and not rest.strip(b"\0") and mailboxes.is_printable(text):
+        found[Type.STRING.label] = text.decode(STRING_CODING)
+    size = next(size for size in (4, 2, 1) if len(memory) % size == 0)
+    if 0 < len(memory) <= size * _MOST_GUESSED:
+        for kind in (Type.DATAF, Type.DATA32, Type.DATA16, Type.DATA8):
+            if kind.size == size:
+                numbers = [number for (number,) in _LAYOUTS[kind].iter_unpack(memory)]
+                if kind is not Type.DATAF or all(map(_is_plausible, numbers)):
+                    found[kind.label] = numbers if len(numbers) > 1 else numbers[0]
+    return found
+
+
+def _is_plausible(number: float) -> bool:
+    """Returns whether a float has a size that sensors and motors give; bytes of other types are far from it."""
+    return number == 0 or math.isnan(number) or 1e-6 <= abs(number) < 1e7

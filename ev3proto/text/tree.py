@@ -18,6 +18,7 @@ from ev3proto.messages import (
 )
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
+from ev3proto.semantics.replies import guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, STRING_CODING, TEXT
@@ -114,7 +115,9 @@ def _values(exchange: Exchange) -> Iterator[Line]:
         yield Line(spans, value.offset, value.length, target=value.full_name)
     if message.memory and not exchange.values:
         shown = f"  {HEADER_SIZE:4}  global memory: {spaced_hex(message.memory)}"
-        yield Line([(shown, Role.PLAIN)], HEADER_SIZE, len(message.memory))
+        meaning = " or ".join(f"{kind} {plain(guess)}" for kind, guess in guesses(message.memory).items())
+        spans = [(shown, Role.PLAIN), (f"  {meaning}" if meaning else "", Role.MEANING)]
+        yield Line(spans, HEADER_SIZE, len(message.memory))
 
 
 def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unknown: frozenset[int]) -> Iterator[Line]:

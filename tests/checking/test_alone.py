@@ -41,6 +41,14 @@ def test_a_hint(operations: str, code: str, message: str, help_: str) -> None:
     assert findings(operations, alone=False) == []
 
 
+def test_sensor_ports_are_counted_from_0() -> None:
+    (found,) = findings("9D 00 04 00 3F 60", "04 00", "00")
+    assert found.code == "H703"
+    assert found.message == "NO is 4, port 1 of the next brick in a daisy chain: ports are counted from 0"
+    assert found.help == "use 3 if port 4 of this brick is meant"
+    assert findings("9D 00 03 00 3F 60", "04 00", "00") == findings("9D 00 10 00 3F 60", "04 00", "00") == []
+
+
 def test_the_number_of_a_port_that_is_also_a_mask() -> None:
     (found,) = findings("B3 00 02 60", "04 00", "00")
     assert found.message == "NOS is 2, the number of port C; as a bit mask it would be B"

@@ -595,7 +595,7 @@ def test_messages_to_mailboxes() -> None:
         assert report.accepted
         return [(one.code, one.offset, one.length, one.message) for one in report.findings]
 
-    for fits in (b"hi\0", b"", b"\0", b"\1", bytes.fromhex("0000C03F"), b"@@HB", b"\x05", b"\5\0", b"a" * 249 + b"\0"):
+    for fits in (b"hi\0", b"", b"\0", b"\1", bytes.fromhex("0000C03F"), b"@@HB", b"\x05", b"a" * 249 + b"\0"):
         assert found("a" * 49, fits) == []
     assert found("a", b"hi") == [("W805", 11, 2, NO_ZERO)]
     assert found("a", b"stop") == [("W805", 11, 4, NO_ZERO)]
@@ -603,6 +603,27 @@ def test_messages_to_mailboxes() -> None:
         ("W804", 11, 251, "the message has 251 bytes, but a mailbox has room for only 250")
     ]
     assert found("a" * 50, b"\1") == [("W804", 7, 50, "the name has 50 characters; that of a mailbox has at most 49")]
+
+
+@pytest.mark.parametrize(
+    ("payload", "number", "kind", "right"),
+    [
+        ("0A 00 00 00", "10", "a whole number of 4 bytes", "00 00 20 41"),
+        ("00 00 03 E8", "1000", "a big-endian whole number of 4 bytes", "00 00 7A 44"),
+        ("41 20 00 00", "10", "a big-endian float", "00 00 20 41"),
+        ("00 00 00 00 00 00 F8 3F", "1.5", "a double", "00 00 C0 3F"),
+        ("3F F8 00 00 00 00 00 00", "1.5", "a big-endian double", "00 00 C0 3F"),
+        ("05 00", "5", "a whole number of 2 bytes", "00 00 A0 40"),
+    ],
+)
+def test_numbers_of_other_types_in_mailboxes(payload: str, number: str, kind: str, right: str) -> None:
+    (found,) = check(system.writemailbox("abc", bytes.fromhex(payload)).build()).findings
+    assert (found.code, found.offset, found.length) == ("W806", 13, len(bytes.fromhex(payload)))
+    assert (
+        found.message
+        == f"the message is {number} as {kind}; a program reads a number as a float of 4 bytes, little-endian"
+    )
+    assert found.help == f"send {right} for {number}"
 
 
 NO_ZERO = "the message looks like a text without a zero at its end"

@@ -68,7 +68,7 @@ def test_the_tree_of_a_reply_reads_its_memory() -> None:
     ]
     assert shown(ANSWER) == [
         "DIRECT_REPLY, counter 1, 9 bytes: ok (the command it answers was not seen)",
-        "     5  global memory: A4 70 FD 40",
+        "     5  global memory: A4 70 FD 40  DATAF 7.92 or DATA32 1090351268",
     ]
 
 
@@ -281,3 +281,20 @@ def test_lines_of_the_tree_know_their_bytes_and_their_operation() -> None:
     *_, rest, fault = tree(Dialogue().follow(cut), Seen())
     assert (rest.offset, rest.length) == (10, 2)
     assert fault.offset is not None
+
+
+@pytest.mark.parametrize(
+    ("memory", "meaning"),
+    [
+        ("00 00 C0 40", "DATAF 6.0 or DATA32 1086324736"),
+        ("00 00 C0 40 00 00 80 3F", "DATAF [6.0, 1.0] or DATA32 [1086324736, 1065353216]"),
+        ("10 27 00 00", "DATA32 10000"),
+        ("6D 79 45 56 33 00 00 00", 'string "myEV3" or DATA32 [1447393645, 51]'),
+        ("E8 03", "DATA16 1000"),
+        ("41", "DATA8 65"),
+    ],
+)
+def test_the_memory_of_a_lone_reply_has_the_readings_that_fit(memory: str, meaning: str) -> None:
+    data = bytes.fromhex(memory)
+    frame = (3 + len(data)).to_bytes(2, "little") + b"\x2a\x00\x02" + data
+    assert shown(frame)[-1] == f"     5  global memory: {memory}  {meaning}"

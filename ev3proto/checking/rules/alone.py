@@ -15,6 +15,7 @@ from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables import with_effect
 from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.output import PORT_SETS, PORTS
+from ev3proto.tables.ports import SensorPort
 
 _STARTS = with_effect(Effect.STARTS_MOTORS)
 
@@ -45,6 +46,13 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
             argument,
             f"{argument.name} is 0, a bit mask without a port, so {operation.name} does nothing",
             f"use {', '.join(f'{1 << port} for {letter}' for port, letter in PORTS.items())}, or the sum of several",
+        )
+    elif role is Role.PORT and number == len(SensorPort):
+        yield operation.finding_at(
+            codes.PORT_OF_NEXT_BRICK,
+            argument,
+            f"{argument.name} is {number}, port 1 of the next brick in a daisy chain: ports are counted from 0",
+            f"use {number - 1} if port {number} of this brick is meant",
         )
     elif role is Role.MOTOR and number in PORT_SETS and number in PORTS and len(PORT_SETS[number]) == 1 and number:
         meant = next(port for port, letter in PORTS.items() if letter == PORT_SETS[number])

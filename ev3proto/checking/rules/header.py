@@ -324,6 +324,16 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
             entry.name,
             field,
         )
+    elif other := mailboxes.number_of_another_type(payload):
+        kind, value = other
+        yield codes.NUMBER_OF_ANOTHER_TYPE.finding(
+            at,
+            len(payload),
+            f"the message is {value:g} as {kind}; a program reads a number as a float of 4 bytes, little-endian",
+            f"send {mailboxes.message_of(float(value)).hex(' ').upper()} for {value:g}",
+            entry.name,
+            field,
+        )
 
 
 def _lists(entry: Entry) -> bool:

@@ -21,7 +21,7 @@ from ev3proto.generate.output_schemas.parts import (
 from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.daisy import DaisyCommand
-from ev3proto.tables.declaration import Direction
+from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.mailboxes import LOGIC_MESSAGE, NUMBER_MESSAGE, TEXT_MESSAGE
 from ev3proto.tables.system import SYSTEM, SystemStatus
@@ -77,7 +77,7 @@ def _contents() -> Schema:
     report = ("layer", "port", "status", "type", "mode", "data", "checksum", "busy")
     return {
         "direct-command": {"globals": WHOLE, "locals": WHOLE, "operations": list_of(reference("operation"))},
-        "direct-reply": {"status": _OUTCOME, "memory": HEX},
+        "direct-reply": {"status": _OUTCOME, "memory": HEX, "readings": _guesses()},
         "system-command": {**system, "readings": _readings()},
         "system-reply": {
             **system,
@@ -100,6 +100,14 @@ def _readings() -> Schema:
     """Returns the schema of a mailbox message's possible meanings; a number that is not finite is a text."""
     kinds: Schema = {TEXT_MESSAGE: TEXT, NUMBER_MESSAGE: {"anyOf": [NUMBER, NOT_FINITE]}, LOGIC_MESSAGE: FLAG}
     return object_of(kinds, *kinds)
+
+
+def _guesses() -> Schema:
+    """Returns the schema of what the memory of a reply may hold, by type: a text, a number, or several."""
+    number: Schema = {"anyOf": [NUMBER, NOT_FINITE]}
+    numbers: Schema = {"anyOf": [number, list_of(number)]}
+    kinds = {kind.label: numbers for kind in (Type.DATAF, Type.DATA32, Type.DATA16, Type.DATA8)}
+    return object_of({Type.STRING.label: TEXT, **kinds}, Type.STRING.label, *kinds)
 
 
 def _message(kind: str, contents: Schema) -> Schema:

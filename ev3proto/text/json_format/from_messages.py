@@ -17,6 +17,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.semantics.replies import guesses
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.system import status_meaning
 from ev3proto.text.phrases import Seen
@@ -44,6 +45,8 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
     entry.update(_contents(message))
     if exchange.request is not None or isinstance(message, SystemReply):
         entry["values"] = [_value(value) for value in exchange.values]
+    elif isinstance(message, DirectReply) and (found := guesses(message.memory)):
+        entry["readings"] = {kind: _plain(value) for kind, value in found.items()}
     if message.fault is not None:
         entry["fault"] = {"offset": message.fault.offset, "reason": message.fault.reason}
     if seen.cut:

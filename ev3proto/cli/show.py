@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import counted
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.phrases import NOTATIONS, Seen, heading, spaced_hex
+from ev3proto.text.phrases import NOTATIONS, Seen, heading, origin, spaced_hex
+from ev3proto.text.sentence import sentence
 from ev3proto.text.spans import Role, Spans, plain_text
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
@@ -19,7 +21,12 @@ if TYPE_CHECKING:
 
 _MOST_REST = 16
 
-FORMATS = ("tree", "table", *NOTATIONS, "json")
+RENDERERS: dict[str, Callable[[Exchange, Seen], Iterable[Spans]]] = {
+    "tree": tree,
+    "table": table,
+    "sentence": lambda exchange, seen: [[*origin(seen), (sentence(exchange), Role.PLAIN)]],
+}
+FORMATS = (*RENDERERS, *NOTATIONS, "json")
 
 _encode = json.JSONEncoder(ensure_ascii=False, check_circular=False).encode
 
@@ -53,7 +60,7 @@ class Show:
             for line in assembly(exchange, plain_text(heading(exchange, seen)), self._style):
                 self._printer.text(line)
         else:
-            self._printer.lines((table if self._style == "table" else tree)(exchange, seen))
+            self._printer.lines(RENDERERS[self._style](exchange, seen))
             if rest:
                 follow = "follows" if len(rest) == 1 else "follow"
                 shown = f": {spaced_hex(rest[:_MOST_REST])}{' ...' * (len(rest) > _MOST_REST)}" if any(rest) else ""

@@ -396,6 +396,7 @@ COM = (
                 "Renames the brick",
                 (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119, letters=NAME_LETTERS),),
                 effects=(Effect.RENAMES, Effect.CHANGES_SETTINGS),
+                sentence="renames the brick to {NAME}",
             ),
             Command(
                 9,
@@ -538,6 +539,7 @@ COM = (
         "Waits for an unread message in a mailbox",
         (BOX_NO,),
         effects=(Effect.WAITS, Effect.USES_MAILBOXES),
+        sentence="waits for a message in mailbox {NO}",
     ),
     Opcode(0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick", (BOX_NO,), effects=(Effect.USES_MAILBOXES,)),
     Opcode(

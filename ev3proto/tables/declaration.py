@@ -310,6 +310,8 @@ class Command(NamedTuple):
     note        where and why the entry differs from other published tables
     effects     its side effects
     newer       unknown to the validator of the release of 2013
+    sentence    what it does with its arguments, for people: `{NAME}` is a value, `{A+B}` a sum; a clause in brackets is
+                omitted where its value is not a constant; after | is the clause for a value with a special meaning
     """
 
     number: int
@@ -320,6 +322,7 @@ class Command(NamedTuple):
     note: str = ""
     effects: tuple[Effect, ...] = ()
     newer: bool = False
+    sentence: str = ""
 
 
 class Opcode(NamedTuple):
@@ -342,6 +345,7 @@ class Opcode(NamedTuple):
     effects: tuple[Effect, ...] = ()
     newer: bool = False
     cmd_table: str | None = None
+    sentence: str = ""
 
     @property
     def is_family(self) -> bool:
@@ -389,6 +393,11 @@ class Declaration:
     def text(self) -> str:
         """One line of description."""
         return self.command.text if self.command else self.opcode.text
+
+    @property
+    def sentence(self) -> str:
+        """What it does with its arguments, see `Command`; empty where its text says enough."""
+        return self.command.sentence if self.command else self.opcode.sentence
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

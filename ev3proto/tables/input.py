@@ -151,6 +151,7 @@ INPUT = (
                     Out("MODE", DATA8, "mode the device is in", range=(0, 7)),
                 ),
                 effects=(Effect.VARIES, Effect.READS),
+                sentence="asks which device is at {NO}, and its mode",
             ),
             Command(
                 6,
@@ -209,6 +210,7 @@ INPUT = (
                 "Reads the first raw value of a device",
                 (LAYER, NO, Out("VALUE", DATA32, "raw value, NaN if there is none")),
                 effects=(Effect.VARIES, Effect.READS),
+                sentence="reads the raw value of {NO}",
             ),
             Command(
                 12,
@@ -265,6 +267,7 @@ INPUT = (
                     Out("DESTINATION", STRING, "name, padded with blanks", length="LENGTH", role=Role.PUBLIC),
                 ),
                 effects=(Effect.VARIES, Effect.READS),
+                sentence="reads the name of the device at {NO}",
             ),
             Command(
                 22,
@@ -324,6 +327,7 @@ INPUT = (
                     Count("VALUES", "number of values that follow, each in percent", DATA8, Direction.OUT),
                 ),
                 effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
+                sentence="reads {NO} in percent, when it is ready",
             ),
             Command(
                 28,
@@ -337,6 +341,7 @@ INPUT = (
                     Count("VALUES", "number of raw values that follow", DATA32, Direction.OUT),
                 ),
                 effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
+                sentence="reads the raw values of {NO}, when it is ready",
             ),
             Command(
                 29,
@@ -350,6 +355,7 @@ INPUT = (
                     Count("VALUES", "number of values that follow, each in SI units", DATAF, Direction.OUT),
                 ),
                 effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
+                sentence="reads {NO} in SI units, when it is ready",
             ),
             Command(
                 30,
@@ -378,6 +384,7 @@ INPUT = (
         "Sets type and mode and reads the first value in percent at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("PCT", DATA8, "value, NaN if there is none", unit="%")),
         effects=(Effect.VARIES, Effect.READS),
+        sentence="reads {NO} in percent",
     ),
     Opcode(
         0x9B,
@@ -385,6 +392,7 @@ INPUT = (
         "Reports whether a device is still changing type or mode",
         (LAYER, NO, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
         effects=(Effect.VARIES, Effect.READS),
+        sentence="asks whether {NO} is ready",
     ),
     Opcode(
         0x9C,
@@ -392,6 +400,7 @@ INPUT = (
         "Waits until a device has valid values",
         (LAYER, NO),
         effects=(Effect.WAITS, Effect.COMPUTES),
+        sentence="waits until {NO} is ready",
     ),
     Opcode(
         0x9D,
@@ -399,6 +408,7 @@ INPUT = (
         "Sets type and mode and reads the first value in SI units at once",
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN if there is none")),
         effects=(Effect.VARIES, Effect.READS),
+        sentence="reads {NO} in SI units",
     ),
     Opcode(
         0x9E,

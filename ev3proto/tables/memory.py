@@ -224,6 +224,7 @@ MEMORY = (
                     IMAGE_ADDRESS,
                 ),
                 effects=(Effect.VARIES, Effect.CONTROLS_PROGRAMS),
+                sentence="loads the program {NAME} into slot {PRGID}",
             ),
             Command(
                 9,

@@ -77,12 +77,15 @@ TIME_LIMITS = (
 
 def limited(number: int, name: str, text: str, drive: Parameter, limits: tuple[Parameter, ...]) -> Opcode:
     """Builds a move of independent motors that ends by itself after ramp up, constant drive and ramp down."""
+    way = "runs {NOS} for" if limits is TIME_LIMITS else "turns {NOS} by"
+    total = "+".join(limit.name for limit in limits)
     return Opcode(
         number,
         name,
         text,
         (LAYER, NOS, drive, *limits, BRAKE),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
+        sentence=f"{way} {{{total}}} at {drive.name.lower()} {{{drive.name}}}[, then {{BRAKE}}]",
     )
 
 
@@ -118,14 +121,23 @@ OUTPUT = (
         "Sets the tacho counts that moves and OUTPUT_READ use to zero",
         (LAYER, NOS),
         effects=(Effect.SETS_MOTORS,),
+        sentence="resets the counts of {NOS}",
     ),
-    Opcode(0xA3, "OUTPUT_STOP", "Stops motors", (LAYER, NOS, BRAKE), effects=(Effect.STOPS_MOTORS,)),
+    Opcode(
+        0xA3,
+        "OUTPUT_STOP",
+        "Stops motors",
+        (LAYER, NOS, BRAKE),
+        effects=(Effect.STOPS_MOTORS,),
+        sentence="stops {NOS}[ ({BRAKE})]",
+    ),
     Opcode(
         0xA4,
         "OUTPUT_POWER",
         "Sets the power of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, POWER),
         effects=(Effect.SETS_MOTORS, Effect.AWAITS_START),
+        sentence="sets the power of {NOS} to {POWER}",
     ),
     Opcode(
         0xA5,
@@ -133,6 +145,7 @@ OUTPUT = (
         "Sets the speed of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, SPEED),
         effects=(Effect.SETS_MOTORS, Effect.AWAITS_START),
+        sentence="sets the speed of {NOS} to {SPEED}",
     ),
     Opcode(
         0xA6,
@@ -140,6 +153,7 @@ OUTPUT = (
         "Starts motors with the power or speed set before",
         (LAYER, NOS),
         effects=(Effect.RUNS_MOTORS, Effect.STARTS_MOTORS),
+        sentence="starts {NOS}",
     ),
     Opcode(
         0xA7,
@@ -157,6 +171,7 @@ OUTPUT = (
             ),
         ),
         effects=(Effect.SETS_MOTORS,),
+        sentence="sets the direction of {NOS} to {POL}",
     ),
     Opcode(
         0xA8,
@@ -169,6 +184,7 @@ OUTPUT = (
             Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
         ),
         effects=(Effect.VARIES, Effect.READS),
+        sentence="reads speed and count of {NO}",
     ),
     Opcode(
         0xA9,
@@ -176,6 +192,7 @@ OUTPUT = (
         "Reports whether one of the motors is still in a move that ends by itself",
         (LAYER, NOS, Out("BUSY", DATA8, "whether to wait", range=(0, 1), special={0: "ready", 1: "busy"})),
         effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
+        sentence="asks whether a move of {NOS} is still running",
     ),
     Opcode(
         0xAA,
@@ -183,6 +200,7 @@ OUTPUT = (
         "Waits until the moves of the motors have ended; ignores those from OUTPUT_START",
         (LAYER, NOS),
         effects=(Effect.WAITS, Effect.AWAITS_MOVE, Effect.COMPUTES),
+        sentence="waits until the moves of {NOS} have ended",
     ),
     Opcode(
         0xAB,
@@ -209,6 +227,7 @@ OUTPUT = (
             BRAKE,
         ),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
+        sentence="turns {NOS} in step by {STEP} at speed {SPEED} with turn ratio {TURN}[, then {BRAKE}]",
     ),
     Opcode(
         0xB1,
@@ -223,6 +242,7 @@ OUTPUT = (
             BRAKE,
         ),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
+        sentence="runs {NOS} in step for {TIME} at speed {SPEED} with turn ratio {TURN}[, then {BRAKE}]",
     ),
     Opcode(
         0xB2,
@@ -230,6 +250,7 @@ OUTPUT = (
         "Sets the tacho counts of motors read as sensors to zero",
         (LAYER, NOS),
         effects=(Effect.SETS_MOTORS,),
+        sentence="sets the counts of {NOS} to zero",
     ),
     Opcode(
         0xB3,
@@ -250,6 +271,7 @@ OUTPUT = (
             Out("TACHO", DATA32, "angle since OUTPUT_CLR_COUNT", unit="degrees"),
         ),
         effects=(Effect.VARIES, Effect.READS),
+        sentence="reads the count of {NOS}",
     ),
     Opcode(
         0xB4,

@@ -42,9 +42,15 @@ SOUND = (
                     ),
                 ),
                 effects=(Effect.STARTS_SOUND,),
+                sentence="plays {FREQUENCY}[ for {DURATION}|, {DURATION}][ at volume {VOLUME}|, {VOLUME}]",
             ),
             Command(
-                2, "PLAY", "Plays a sound file once and returns at once", (VOLUME, NAME), effects=(Effect.STARTS_SOUND,)
+                2,
+                "PLAY",
+                "Plays a sound file once and returns at once",
+                (VOLUME, NAME),
+                effects=(Effect.STARTS_SOUND,),
+                sentence="plays the sound file {NAME} once[ at volume {VOLUME}|, {VOLUME}]",
             ),
             Command(
                 3,
@@ -52,6 +58,7 @@ SOUND = (
                 "Plays a sound file over and over until BREAK and returns at once",
                 (VOLUME, NAME),
                 effects=(Effect.STARTS_SOUND,),
+                sentence="plays the sound file {NAME} over and over[ at volume {VOLUME}|, {VOLUME}]",
             ),
             Command(
                 4,
@@ -73,5 +80,6 @@ SOUND = (
         "SOUND_READY",
         "Waits until the sound has ended (forever after REPEAT or an endless tone)",
         effects=(Effect.WAITS, Effect.AWAITS_SOUND, Effect.COMPUTES),
+        sentence="waits until the sound has ended",
     ),
 )

@@ -17,6 +17,7 @@ TIMER = (
             ),
         ),
         effects=(Effect.VARIES, Effect.COMPUTES),
+        sentence="begins a wait of {TIME}",
     ),
     Opcode(
         0x86,
@@ -24,6 +25,7 @@ TIMER = (
         "Waits until the time that TIMER_WAIT stored",
         (In("TIMER", DATA32, "variable that TIMER_WAIT has set"),),
         effects=(Effect.WAITS, Effect.COMPUTES),
+        sentence="waits until its end",
     ),
     Opcode(
         0x87,

@@ -507,6 +507,7 @@ UI = (
                 "Sets colour and blinking of the light around the buttons",
                 (In("PATTERN", DATA8, "colour and rhythm", enum=LEDPATTERN),),
                 effects=(Effect.SIGNALS,),
+                sentence="sets the light around the buttons to {PATTERN}",
             ),
             Command(
                 29,
@@ -671,12 +672,14 @@ UI = (
                 "UPDATE",
                 "Shows on the display what has been drawn, and restores the normal font",
                 effects=(Effect.SHOWS,),
+                sentence="shows on the display what has been drawn",
             ),
             Command(
                 1,
                 "CLEAN",
                 "Clears the canvas to white, and restores the normal font",
                 effects=(Effect.DRAWS, Effect.WIPES),
+                sentence="clears the canvas",
             ),
             Command(
                 2,
@@ -688,6 +691,7 @@ UI = (
                     In("Y0", DATA16, "row", range=(0, 127), unit="px"),
                 ),
                 effects=(Effect.DRAWS,),
+                sentence="draws a {COLOR} pixel at ({X0}, {Y0})",
             ),
             Command(
                 3,
@@ -695,14 +699,23 @@ UI = (
                 "Draws a line between two points",
                 (COLOR, X_START, Y_START, X_END, Y_END),
                 effects=(Effect.DRAWS,),
+                sentence="draws a {COLOR} line from ({X0}, {Y0}) to ({X1}, {Y1})",
             ),
-            Command(4, "CIRCLE", "Draws a circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS), effects=(Effect.DRAWS,)),
+            Command(
+                4,
+                "CIRCLE",
+                "Draws a circle",
+                (COLOR, X_CENTRE, Y_CENTRE, RADIUS),
+                effects=(Effect.DRAWS,),
+                sentence="draws a {COLOR} circle around ({X0}, {Y0}) with radius {R}",
+            ),
             Command(
                 5,
                 "TEXT",
                 "Draws text in the font chosen by SELECT_FONT",
                 (COLOR, X0, Y0, In("STRING", STRING, "text to draw")),
                 effects=(Effect.DRAWS,),
+                sentence="draws the text {STRING} in {COLOR} at ({X0}, {Y0})",
             ),
             Command(
                 6,
@@ -730,8 +743,16 @@ UI = (
                 "Draws a number, or dashes where it is not a number",
                 (COLOR, X0, Y0, In("VALUE", DATAF, "number to draw"), FIGURES_SIGNED, DECIMALS),
                 effects=(Effect.DRAWS,),
+                sentence="draws the number {VALUE} in {COLOR} at ({X0}, {Y0})",
             ),
-            Command(9, "FILLRECT", "Draws a filled rectangle", (COLOR, X0, Y0, WIDTH, HEIGHT), effects=(Effect.DRAWS,)),
+            Command(
+                9,
+                "FILLRECT",
+                "Draws a filled rectangle",
+                (COLOR, X0, Y0, WIDTH, HEIGHT),
+                effects=(Effect.DRAWS,),
+                sentence="draws a filled {COLOR} rectangle at ({X0}, {Y0}), {X1} wide and {Y1} high",
+            ),
             Command(
                 10,
                 "RECT",
@@ -740,6 +761,7 @@ UI = (
                 dialects=("official",),
                 note="the other firmwares name it RECTANGLE",
                 effects=(Effect.DRAWS,),
+                sentence="draws a {COLOR} rectangle at ({X0}, {Y0}), {X1} wide and {Y1} high",
             ),
             Command(
                 10,
@@ -933,6 +955,7 @@ UI = (
                     In("OFF", DATA16, "length of a gap", unit="px"),
                 ),
                 effects=(Effect.DRAWS,),
+                sentence="draws a dashed {COLOR} line from ({X0}, {Y0}) to ({X1}, {Y1})",
             ),
             Command(
                 22,
@@ -964,7 +987,12 @@ UI = (
                 effects=(Effect.DRAWS,),
             ),
             Command(
-                24, "FILLCIRCLE", "Draws a filled circle", (COLOR, X_CENTRE, Y_CENTRE, RADIUS), effects=(Effect.DRAWS,)
+                24,
+                "FILLCIRCLE",
+                "Draws a filled circle",
+                (COLOR, X_CENTRE, Y_CENTRE, RADIUS),
+                effects=(Effect.DRAWS,),
+                sentence="draws a filled {COLOR} circle around ({X0}, {Y0}) with radius {R}",
             ),
             Command(25, "STORE", "Keeps a copy of the canvas", (STORED_SCREEN,), effects=(Effect.PRINTS,)),
             Command(
@@ -1015,6 +1043,7 @@ UI = (
                     ),
                 ),
                 effects=(Effect.DRAWS,),
+                sentence="draws the picture {NAME} at ({X0}, {Y0})",
             ),
             Command(
                 29,

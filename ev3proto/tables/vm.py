@@ -71,6 +71,7 @@ VM = (
             ),
         ),
         effects=(Effect.MAY_END, Effect.CONTROLS_PROGRAMS),
+        sentence="stops the program in slot {PRGID}",
     ),
     Opcode(
         0x03,
@@ -83,6 +84,7 @@ VM = (
             In("DEBUG", DATA8, "how to run it", range=(0, 2), special={0: "run", 1: "debug", 2: "load, do not run"}),
         ),
         effects=(Effect.CONTROLS_PROGRAMS,),
+        sentence="starts the program in slot {PRGID}",
     ),
     Opcode(
         0x04,
@@ -349,6 +351,7 @@ VM = (
                 "Changes the volume setting",
                 (In("VALUE", DATA8, "volume", range=(0, 100), unit="%"),),
                 effects=(Effect.CHANGES_SETTINGS,),
+                sentence="sets the volume to {VALUE}",
             ),
             Command(
                 6,
@@ -363,6 +366,7 @@ VM = (
                 "Changes the idle time after which the brick powers off",
                 (In("VALUE", DATA8, "idle time", range=(0, 120), unit="min", special={0: "never"}),),
                 effects=(Effect.CHANGES_SETTINGS,),
+                sentence="has the brick power off after {VALUE} without use",
             ),
         ),
     ),

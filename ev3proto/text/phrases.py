@@ -304,23 +304,24 @@ def _operation(operation: Operation) -> Spans:
 
 
 def _argument(argument: Argument) -> str:
-    return argument.symbol or _short(argument_value(argument))
+    return argument.symbol or short_text(argument_value(argument))
 
 
 def _value(value: Value) -> Spans:
-    return [(f"{value.name}=", Role.NAME), (_short(value_text(value)), Role.VALUE)]
+    return [(f"{value.name}=", Role.NAME), (short_text(value_text(value)), Role.VALUE)]
 
 
 def _fields(message: SystemCommand | SystemReply) -> Spans:
     line: Spans = []
     for name, text, meaning in field_texts(message):
-        line += [(f" {name}=", Role.NAME), (_short(text), Role.VALUE)]
+        line += [(f" {name}=", Role.NAME), (short_text(text), Role.VALUE)]
         if meaning:
-            line.append((f" ({_short(meaning)})", Role.MEANING))
+            line.append((f" ({short_text(meaning)})", Role.MEANING))
     return line
 
 
-def _short(text: str) -> str:
+def short_text(text: str) -> str:
+    """Returns a text, or its beginning."""
     return text if len(text) <= _MOST_TEXT else f"{text[: _MOST_TEXT - 3]}..."
 
 

@@ -1,7 +1,8 @@
 """Puts the playground into the documentation that Sphinx has built: an extension of docs/conf.py.
 
-The folder `playground` of the site has the page, Pyodide (Python for browsers) and Vega from npm, by package-lock.json,
-and in packages.zip ev3proto with the packages that it needs, as they are installed here.
+The folder `playground` of the site has the page, Pyodide (Python for browsers) and Vega from npm, by package-lock.json;
+in python.zip the modules of Python, ev3proto and the packages that it needs, as they are installed here; and in
+snapshot.bin the memory of a Python that has imported them.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from sphinx.errors import ExtensionError
 
 from ev3proto.version import VERSION
 
+from .packing import PACKAGES, pack
+
 HERE = Path(__file__).parent
 CAPTURES = HERE.parents[1] / "captures"
 LESSON = CAPTURES / "lesson-02.log"
@@ -33,14 +36,13 @@ WITHOUT = "no_playground"
 PAGE = ("*.html", "*.css", "*.js")
 SERVICE_WORKER = "service-worker.js"
 BRICK = ("brick.css", "brick.js", "icon.svg")
-PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip")
+PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
+LARGE = ("python.zip", "snapshot.bin", *(f"pyodide/{name}" for name in PYODIDE[1:]))
+"""Files whose size the page says while they are loaded."""
 VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-interpreter/build/vega-interpreter.js")
 LICENCES = "spdx-license-list"
 PYTHON_LICENCE = "Python-2.0.1"
 RULE = "-" * 80
-PACKAGES = ("construct", "click", "dpkt")
-
-_TIME = (1980, 1, 1, 0, 0, 0)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -77,9 +79,6 @@ def build(site: Path, npm: Path) -> None:
     modules = _installed(npm)
     for name in ("pyodide", "vega"):
         (site / name).mkdir(parents=True, exist_ok=True)
-    for file in sorted(file for kind in PAGE for file in HERE.glob(kind)):
-        text = file.read_text(encoding="utf-8")
-        (site / file.name).write_text(text.replace("@VERSION@", VERSION), encoding="utf-8")
     for name in BRICK:
         (site / name).write_bytes((files("ev3proto.brick.servers.page") / "static" / name).read_bytes())
     for name in PYODIDE:
@@ -94,22 +93,40 @@ def build(site: Path, npm: Path) -> None:
         (site / "vega" / Path(name).name).write_text(text, encoding="utf-8")
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
     shutil.copy(CONFORMANCE, site / CONFORMANCE.name)
-    _pack(site / "packages.zip")
+    pack(site / "python.zip", modules / "pyodide" / "python_stdlib.zip")
+    with zipfile.ZipFile(site / "none.zip", "w"):
+        pass
+    _make_snapshot(modules / "pyodide", site)
+    sizes = json.dumps({name: (site / name).stat().st_size for name in LARGE})
+    for file in sorted(file for kind in PAGE for file in HERE.glob(kind)):
+        text = file.read_text(encoding="utf-8").replace("@VERSION@", VERSION).replace("/* @SIZES@ */ {}", sizes)
+        (site / file.name).write_text(text, encoding="utf-8")
     (site / "licences.txt").write_text("\n".join([*_licences(modules), ""]), encoding="utf-8")
     _name_files(site)
 
 
+def _make_snapshot(pyodide: Path, site: Path) -> None:
+    """Has Python start in node, and keeps its memory."""
+    command = [shutil.which("node") or "node", str(HERE / "make_snapshot.mjs"), str(pyodide)]
+    done = subprocess.run(
+        [*command, str(site / "python.zip"), str(site / "snapshot.bin")], capture_output=True, text=True, check=False
+    )
+    if done.returncode:
+        said = " ".join(done.stderr.split())[-600:]
+        raise ExtensionError(f"the snapshot of Python cannot be made: {said}")
+
+
 def _name_files(site: Path) -> None:
-    """Tells the service worker the files of the site, and the version that they are together."""
+    """Tells the service worker the files of the site, each with its digest."""
     worker = site / SERVICE_WORKER
     worker.unlink(missing_ok=True)
-    names = sorted(file.relative_to(site).as_posix() for file in site.rglob("*") if file.is_file())
-    digest = hashlib.sha256()
-    for name in names:
-        digest.update(name.encode())
-        digest.update((site / name).read_bytes())
+    files_of_site = sorted(file for file in site.rglob("*") if file.is_file())
+    digests = {
+        file.relative_to(site).as_posix(): hashlib.sha256(file.read_bytes()).hexdigest() for file in files_of_site
+    }
+    version = hashlib.sha256(json.dumps(digests).encode()).hexdigest()[:16]
     text = (HERE / SERVICE_WORKER).read_text(encoding="utf-8")
-    text = text.replace("@FILES_VERSION@", digest.hexdigest()[:16]).replace("@FILES@", json.dumps(names, indent=1))
+    text = text.replace("@FILES_VERSION@", version).replace("@FILES@", json.dumps(digests, indent=1))
     worker.write_text(text, encoding="utf-8")
 
 
@@ -124,26 +141,6 @@ def _installed(npm: Path) -> Path:
         said = " ".join(done.stderr.split())[:300]
         raise ExtensionError(f"npm cannot install what the playground needs ({said}): -t {WITHOUT} builds the rest")
     return npm / "node_modules"
-
-
-def _pack(path: Path) -> None:
-    """Packs ev3proto, its dependencies and the bridge."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
-        for name, file in sorted(_modules()):
-            packed.writestr(zipfile.ZipInfo(name, _TIME), file.read_bytes(), zipfile.ZIP_DEFLATED)
-
-
-def _modules() -> Iterator[tuple[str, Path]]:
-    own = Path(str(files("ev3proto")))
-    for file in own.rglob("*.py"):
-        yield f"ev3proto/{file.relative_to(own).as_posix()}", file
-    for file in (HERE / "bridge").glob("*.py"):
-        yield f"bridge/{file.name}", file
-    for package in PACKAGES:
-        for entry in importlib.metadata.files(package) or ():
-            # Distributions have their licences next to the code.
-            if entry.parts[0] != ".." and entry.suffix in (".py", ""):
-                yield entry.as_posix(), Path(str(entry.locate()))
 
 
 def _lesson() -> Iterator[dict[str, str]]:

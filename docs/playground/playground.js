@@ -45,10 +45,12 @@ const hear = (said) => {
   }
   else if (said.real) real.take(said.real);
   else if (said.carry) real.carry(said.carry);
-  else if (said.ready) ready();
+  else if (said.ready) ready(said.ready);
 };
 
-const ready = async () => {
+/** @param {"snapshot" | "plain"} started */
+const ready = async (started) => {
+  document.body.dataset.started = started;
   change({ isReady: true, status: "" });
   if (document.body.dataset.ready) return;
   await readFirst();

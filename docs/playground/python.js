@@ -22,6 +22,8 @@ export class Python {
    */
   constructor(name, hear) {
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name });
+    const { downlink, rtt, saveData } = Reflect.get(navigator, "connection") ?? {};
+    this.#worker.postMessage({ line: { downlink, rtt, saveData } });
     this.#worker.onerror = (event) => hear({ failed: event.message || "worker.js cannot be loaded" });
     this.#worker.onmessage = ({ data }) => {
       const asked = this.#waiting.get(data.number);

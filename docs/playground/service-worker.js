@@ -1,28 +1,62 @@
-// Keeps the page for use without a network. The build names the files; one version of all of them is kept at a time.
+// Keeps the page for use without a network. The build names the files with their digests; one version of all is kept at a time.
 
 const VERSION = "@FILES_VERSION@";
-const FILES = @FILES@;
+/** SHA-256 of each file, in hex. @type {Record<string, string>} */
+const FILES = JSON.parse(`@FILES@`);
 
-const CACHE = `ev3proto-playground-${VERSION}`;
+const PREFIX = "ev3proto-playground-";
+const CACHE = `${PREFIX}${VERSION}`;
 
-addEventListener("install", (event) => {
-  // The answers of an older version may still be in the browser's own cache.
-  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES.map((file) => new Request(file, { cache: "no-cache" })))));
+const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+
+/** Where a file may be found, the nearest place first. @type {((url: URL) => Promise<Response | undefined>)[]} */
+const PLACES = [
+  (url) => caches.match(url),
+  // The page has just loaded most of them. What is older than this version is told by its digest.
+  (url) => fetch(url, { cache: "force-cache" }),
+  (url) => fetch(url, { cache: "reload" }),
+];
+
+/** @param {Response} answer */
+const digestOf = async (answer) => {
+  const digest = await crypto.subtle.digest("SHA-256", await answer.arrayBuffer());
+  return [...new Uint8Array(digest)].map((each) => each.toString(16).padStart(2, "0")).join("");
+};
+
+/** @param {Cache} cache @param {string} file */
+const keep = async (cache, file) => {
+  const url = new URL(file, worker.registration.scope);
+  for (const place of PLACES) {
+    const found = await place(url);
+    if (found?.ok && await digestOf(found.clone()) === FILES[file]) {
+      await cache.put(url, found);
+      return;
+    }
+  }
+  throw new Error(`${file} is not that of this version`);
+};
+
+worker.addEventListener("install", (event) => {
+  const keepAll = async () => {
+    const cache = await caches.open(CACHE);
+    for (const file of Object.keys(FILES)) await keep(cache, file);
+  };
+  event.waitUntil(keepAll());
 });
 
-addEventListener("activate", (event) => {
+worker.addEventListener("activate", (event) => {
   const drop = async () => {
     const names = await caches.keys();
-    await Promise.all(names.filter((name) => name.startsWith("ev3proto-playground-") && name !== CACHE).map((name) => caches.delete(name)));
+    await Promise.all(names.filter((name) => name.startsWith(PREFIX) && name !== CACHE).map((name) => caches.delete(name)));
   };
   event.waitUntil(drop());
 });
 
-addEventListener("fetch", (event) => {
-  const url = new URL(event.request.url), scope = new URL(registration.scope);
+worker.addEventListener("fetch", (event) => {
+  const url = new URL(event.request.url), scope = new URL(worker.registration.scope);
   if (event.request.method !== "GET" || url.origin !== scope.origin || !url.pathname.startsWith(scope.pathname)) return;
   const file = url.pathname.slice(scope.pathname.length) || "index.html";
-  if (!FILES.includes(file)) return;
+  if (!(file in FILES)) return;
   const answer = async () => {
     const cache = await caches.open(CACHE);
     return await cache.match(new URL(file, scope)) ?? fetch(event.request);

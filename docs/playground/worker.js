@@ -1,41 +1,52 @@
 // A worker that runs Python: the one that is named "brick" also lets the time of the bricks pass.
 
+import { isPrepared, start } from "./boot.js";
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 
+/** Milliseconds between two steps of the bricks' clock. */
 const PERIOD = 50;
 
+/** @param {unknown} message */
 const say = (message) => postMessage(message);
 
-const start = async () => {
-  say({ status: "Loading Python …" });
-  const fetched = fetch(new URL("./packages.zip", import.meta.url));
-  const python = await loadPyodide({ indexURL: new URL("./pyodide/", import.meta.url).href });
-  say({ status: "Loading ev3proto …" });
-  const packages = await fetched;
-  if (!packages.ok) throw new Error(`packages.zip: ${packages.status} ${packages.statusText}`);
-  python.unpackArchive(await packages.arrayBuffer(), "zip", { extractDir: "/packages" });
-  python.runPython("import sys; sys.path.insert(0, '/packages')");
-  return python.pyimport("bridge");
+/** @param {number} missing */
+const tell = (missing) => say({ status: `Loading Python: ${(missing / 1e6).toFixed(1)} MB to come …` });
+/** @type {Promise<import("./boot.js").Started>} */
+let started;
+
+/** @param {import("./boot.js").Line} line */
+const begin = (line) => {
+  started = start(loadPyodide, new URL(".", import.meta.url), line, tell);
+  started.then(live, (error) => say({ failed: error instanceof Error ? error.message : String(error) }));
 };
 
-const started = start();
-
+/** @param {string} frame */
 const carry = (frame) => say({ carry: frame });
-const tell = (news) => say({ real: JSON.parse(news) });
+/** @param {string} news */
+const hear = (news) => say({ real: JSON.parse(news) });
 
-onmessage = async ({ data: { number, call, given, isFollowed } }) => {
-  const bridge = await started;
+/** @typedef {{number: number, call: string, given: unknown[], isFollowed: boolean}} Question */
+/** @param {MessageEvent<Question & {line?: import("./boot.js").Line}>} event */
+onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
+  if (line) {
+    begin(line);
+    return;
+  }
+  const { bridge, packages } = await started;
+  /** @param {string} part */
   const publish = (part) => say({ number, part: JSON.parse(part) });
-  const more = call === "connect" ? [carry, tell] : isFollowed ? [publish] : [];
+  const more = call === "connect" ? [carry, hear] : isFollowed ? [publish] : [];
   try {
+    if (!isPrepared(call)) await packages;
     say({ number, answer: JSON.parse(bridge[call](...given, ...more)) });
   } catch (error) {
-    say({ number, error: String(error.message ?? error) });
+    say({ number, error: error instanceof Error ? error.message : String(error) });
   }
 };
 
-started.then((bridge) => {
-  say({ ready: "plain" });
+/** @param {import("./boot.js").Started} start */
+const live = ({ bridge, started: how }) => {
+  say({ ready: how });
   if (self.name !== "brick") return;
   let before = performance.now();
   setInterval(() => {
@@ -45,4 +56,4 @@ started.then((bridge) => {
     if (news) say({ brick: JSON.parse(news) });
     bridge.turn();
   }, PERIOD);
-}, (error) => say({ failed: String(error.message ?? error) }));
+};

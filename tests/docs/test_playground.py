@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import base64
+import gzip
 import json
 import os
 import random
 import re
+import shutil
 import struct
 import subprocess
 import sys
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from html.parser import HTMLParser
 from pathlib import Path
@@ -748,6 +750,60 @@ def test_the_page_is_kept_for_use_without_a_network(built: Path, tmp_path: Path)
         assert page.run("return caches.keys().then((names) => names.length)") == 1
 
 
+# The start
+
+
+def test_python_starts_from_a_snapshot(page: Page) -> None:
+    assert page.run("return document.body.dataset.started") == "snapshot"
+
+
+def _without_snapshot(site: Path) -> None:
+    (site / "snapshot.bin").unlink()
+
+
+def _with_half_a_snapshot(site: Path) -> None:
+    data = (site / "snapshot.bin").read_bytes()
+    (site / "snapshot.bin").write_bytes(data[: len(data) // 2])
+
+
+def _with_the_snapshot_of_another_python(site: Path) -> None:
+    memory = bytearray(gzip.decompress((site / "snapshot.bin").read_bytes()))
+    memory[16] ^= 1  # a byte of Pyodide's build number, which its snapshots begin with
+    (site / "snapshot.bin").write_bytes(gzip.compress(memory, 1))
+
+
+@pytest.mark.parametrize(
+    "harm", [_without_snapshot, _with_half_a_snapshot, _with_the_snapshot_of_another_python], ids=lambda it: it.__name__
+)
+def test_without_its_snapshot_python_starts_all_the_same(
+    built: Path, tmp_path: Path, harm: Callable[[Path], None]
+) -> None:
+    shutil.copytree(built / "playground", tmp_path / "site" / "playground")
+    harm(tmp_path / "site" / "playground")
+    with chromium(tmp_path / "profile") as browser, served_site(tmp_path / "site") as address:
+        page = Page(browser, address)
+        page.open(fragment(TONE))
+        assert page.run("return document.body.dataset.started") == "plain"
+        page.wait(lambda: page.text("tree") == printed("decode", TONE))
+        page.read(LOG)
+        page.click("send")
+        page.wait(lambda: "UI_READ.GET_VBATT" in page.text("talks"))
+
+
+def test_on_a_slow_line_the_snapshot_comes_for_the_next_visit(address: str, tmp_path: Path) -> None:
+    with chromium(tmp_path / "profile") as browser:
+        slow = "Object.defineProperty(navigator, 'connection', {value: {downlink: 2, saveData: false}})"
+        browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": slow})
+        page = Page(browser, address)
+        page.open()
+        assert page.run("return document.body.dataset.started") == "plain"
+        page.wait(
+            lambda: page.run("return navigator.serviceWorker.ready.then((it) => it.active.state)") == "activated", 120
+        )
+        page.open()
+        assert page.run("return document.body.dataset.started") == "snapshot"
+
+
 # Its files
 
 
@@ -776,12 +832,11 @@ def test_nothing_inline_and_nothing_from_elsewhere(built: Path) -> None:
         text = file.read_text(encoding="utf-8")
         assert "//" not in re.sub(r"^ *//.*$| // .*$", "", text, flags=re.MULTILINE), file
         assert "innerHTML" not in text or file.name == "brick.js"
-    assert sum(each.stat().st_size for each in site.rglob("*") if each.is_file()) < 15 << 20
+    assert sum(each.stat().st_size for each in site.rglob("*") if each.is_file()) < 26_000_000
     lesson: list[Any] = json.loads((site / "lesson.json").read_text(encoding="utf-8"))
     assert lesson[0]["title"].startswith("Setting the name of the brick")
-    kept: list[str] = json.loads(
-        (site / "service-worker.js").read_text(encoding="utf-8").partition("FILES = ")[2].partition(";")[0]
-    )
+    worker = (site / "service-worker.js").read_text(encoding="utf-8")
+    kept: dict[str, str] = json.loads(worker.partition("JSON.parse(`")[2].partition("`")[0])
     there = {each.relative_to(site).as_posix() for each in site.rglob("*") if each.is_file()}
     assert set(kept) == there - {"service-worker.js"}
 

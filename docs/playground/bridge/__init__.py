@@ -8,6 +8,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import random
 import re
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout, suppress
@@ -28,6 +29,7 @@ __all__ = [
     "act",
     "all_dialogues",
     "as_assembly",
+    "begin",
     "compare",
     "complete",
     "connect",
@@ -53,14 +55,25 @@ __all__ = [
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 
 _folder = TemporaryDirectory()
-_PLACE = Path(_folder.name)
-_TEXT, _CHART = _PLACE / "input", _PLACE / "chart.json"
+_brick: VirtualBrick | None = None
+
+
+def begin() -> None:
+    """Begins anew: in a Python that comes from a snapshot, files are gone, and random numbers would repeat."""
+    global _folder, _brick
+    random.seed()
+    _folder, _brick = TemporaryDirectory(), None
+
+
+def _place(name: str) -> Path:
+    """Returns the place of a file of the page."""
+    return Path(_folder.name) / name
 
 
 # The input
 
 _now = Reading()
-_path = _TEXT
+_path = Path()
 
 
 def _nothing(_: str) -> None:
@@ -78,8 +91,8 @@ def look(text: str, publish: Publish = _nothing) -> str:
         The answer: see `Reading.answer`.
     """
     global _now, _path
-    _now, _path = Reading(publish), _TEXT
-    _TEXT.write_text(text, encoding="utf-8", errors="surrogatepass")
+    _now, _path = Reading(publish), _place("input")
+    _path.write_text(text, encoding="utf-8", errors="surrogatepass")
     _now.type(text)
     return json.dumps(_now.answer())
 
@@ -94,7 +107,7 @@ def open_file(name: str, data: Any, publish: Publish = _nothing) -> str:
     """
     global _now, _path
     _now = Reading(publish)
-    _path = _PLACE / (name if _FILE_NAME.fullmatch(name) else f"file{Path(name).suffix if name.isprintable() else ''}")
+    _path = _place(name if _FILE_NAME.fullmatch(name) else f"file{Path(name).suffix if name.isprintable() else ''}")
     _path.write_bytes(_bytes(data))
     _now.open(_path)
     return json.dumps(_now.answer())
@@ -112,11 +125,12 @@ def all_dialogues() -> str:
 
 def timeline() -> str:
     """Returns the timeline of the input as a Vega-Lite specification with its data; null if it is empty."""
-    _command("timeline", str(_path), "-o", str(_CHART))
-    if not _CHART.exists():
+    made = _place("chart.json")
+    _command("timeline", str(_path), "-o", str(made))
+    if not made.exists():
         return "null"
-    chart = _CHART.read_text(encoding="utf-8")
-    _CHART.unlink()
+    chart = made.read_text(encoding="utf-8")
+    made.unlink()
     return chart
 
 
@@ -154,8 +168,6 @@ def _bytes(data: Any) -> bytes:
 
 
 # The virtual brick
-
-_brick: VirtualBrick | None = None
 
 
 def _virtual() -> VirtualBrick:

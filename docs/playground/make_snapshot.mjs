@@ -1,0 +1,21 @@
+// Makes the snapshot of Python's memory: `node make_snapshot.mjs PYODIDE MODULES SNAPSHOT`, in the build.
+// PYODIDE is the folder of the npm package, MODULES the archive that packing.py makes.
+
+import { writeFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+import { LOCK, WARM_UP } from "./boot.js";
+
+const [folder, modules, snapshot] = process.argv.slice(2).map((each) => resolve(each));
+const { loadPyodide } = await import(pathToFileURL(`${folder}/pyodide.mjs`).href);
+// The same modules give nearly the same snapshot; the columns of code in tracebacks would be a tenth of it.
+const env = { HOME: "/home/pyodide", PYTHONHASHSEED: "0", PYTHONNODEBUGRANGES: "1" };
+const python = await loadPyodide({
+  indexURL: `${folder}/`, packageBaseUrl: `${folder}/`, lockFileContents: LOCK, stdLibURL: modules, env, _makeSnapshot: true,
+});
+const bridge = python.pyimport("bridge");
+for (const [call, ...given] of WARM_UP) bridge[call](...given);
+bridge.destroy();
+python.runPython("import gc, linecache; linecache.clearcache(); gc.collect()");
+writeFileSync(snapshot, gzipSync(python.makeMemorySnapshot(), { level: 9 }));

@@ -911,6 +911,16 @@ NUMBER_OF_ANOTHER_TYPE = _code(
     _sized("2A:00|81|9E:04:61:62:63:00:04:00:0A:00:00:00"),
     _sized("2A:00|81|9E:04:61:62:63:00:04:00:00:00:20:41"),
 )
+FILE_TOO_LARGE = _code(
+    "W807",
+    "a file larger than the brick's memory",
+    """
+    BEGIN_DOWNLOAD announces a size that is more than the flash memory of a brick has. The brick answers SIZE_ERROR,
+    or waits for the rest. Often the four bytes are in the wrong order: the low one comes first.
+    """,
+    _sized("2A:00|01|92:00:00:04:D2:61:2E:72:62:66:00"),
+    _sized("2A:00|01|92:D2:04:00:00:61:2E:72:62:66:00"),
+)
 
 # 9: encodings
 

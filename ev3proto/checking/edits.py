@@ -433,7 +433,7 @@ def _all_swapped(code: Code) -> Iterator[Edit]:
     for one in numbers:
         new[one.offset + 1 : one.offset + 3] = one.raw[:0:-1]
         meant = int.from_bytes(one.raw[1:], "big", signed=True)
-        extra += -0.5 if 0 <= meant < int(one.value) or int(one.value) < 0 <= meant else 1.0
+        extra += -0.75 if 0 <= meant < int(one.value) or int(one.value) < 0 <= meant else 1.0
     at, end = numbers[0].offset, numbers[-1].offset + 3
     raw = numbers[0].raw[1:]
     words = (len(numbers), spaced(raw[::-1]), int.from_bytes(raw, "big", signed=True))

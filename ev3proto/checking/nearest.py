@@ -290,7 +290,8 @@ class _Search:
             kind = "length-swapped"
         elif f"{stated:x}" == str(size):
             kind = "length-decimal"
-        words = (size, spaced(new[:LENGTH_FIELD]), stated, spaced(frame[:LENGTH_FIELD]))
+        follow = f"{counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'}"
+        words = (size, spaced(new[:LENGTH_FIELD]), stated, spaced(frame[:LENGTH_FIELD]), follow)
         edit = Edit(kind, 0, LENGTH_FIELD, new[:LENGTH_FIELD], words)
         yield _Candidate((edit,), SLIPS[kind].cost, self._read(new), new)
 

@@ -41,7 +41,7 @@ SLIPS = {
     "ascii": Slip(1, "3F is here for every byte above 7F: the frame was encoded as ASCII; send bytes, not a text",
         "0E00 0100 3F 0000 3F 01 02 3F3F03 3F3F01", _TONE),
     # The header.
-    "length": Slip(3, "the length is {0} ({1}), not {2}",
+    "length": Slip(3, "the length field says that {4} it, but there are {0}: it is {1}",
         "0B00 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
     "length-self": Slip(2, "the length does not count its own two bytes: it is {0} ({1})",
         "0F00 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),

@@ -16,10 +16,13 @@ from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.words import Source, sources
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.schema.frame import parse
 from ev3proto.tables.declaration import Effect
-from ev3proto.text.phrases import Seen
+from ev3proto.text.phrases import Seen, command_spans
+from ev3proto.text.spans import plain_text
 
 if TYPE_CHECKING:
+    from ev3proto.checking.report import Suggestion
     from ev3proto.cli.captures import CaptureSource
 
 
@@ -93,21 +96,25 @@ class Decoding:
             unknown = frozenset([one.offset - frame.start for one in pasted.unknown])
             seen = Seen(pasted.direction, pasted.time, is_cut, unknown=unknown)
         self._show.exchange(self._dialogue.follow(frame.message), seen, frame.rest)
-        never = _never_run(frame.message)
+        never, dialect = _never_run(frame.message), self.inputs.reading.dialect
         if fault is not None and not is_cut:
-            said = f"{frame.place}: fault at {fault}"
-            self.inputs.complain("; ".join([said, *_meant(frame.message, self.inputs.reading.dialect)]))
+            meant = [f"; did you mean: {one.message}?" for one in _meant(frame.message, dialect)]
+            self.inputs.complain(f"{frame.place}: fault at {fault}{''.join(meant)}")
+        elif frame.is_from_brick and seen.direction is None:
+            # A command without its counter is a reply by its type.
+            for one in _meant(frame.message, dialect):
+                content = plain_text(command_spans(parse(one.frame, strict=False, dialect=dialect)))
+                complain(f"{frame.place}: did you mean {content}? {one.message}")
         elif never is not None:
             said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
             self.inputs.complain(f"{frame.place}: {said}; `ev3proto check` says more")
 
 
-def _meant(message: Message, dialect: str) -> Iterator[str]:
-    """Yields what was probably meant by a frame with a fault."""
+def _meant(message: Message, dialect: str) -> Iterator[Suggestion]:
+    """Yields what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""
     from ev3proto.checking.checking import check  # takes 15 ms, which right frames do not need
 
-    for one in check(message, dialect=dialect, alone=True).nearest:
-        yield f"did you mean: {one.message}?"
+    yield from check(message, dialect=dialect, alone=True).nearest
 
 
 def _never_run(message: Message) -> Operation | None:

@@ -98,6 +98,9 @@ _PATH = Field(
 )
 _HANDLE = Field("handle", Kind.U8, "the open file on the brick, as its reply to BEGIN_... gave it")
 _REPLY_HANDLE = Field("handle", Kind.U8, "the open file, for the messages that follow")
+FLASH_SIZE = 16 << 20
+"""Bytes of a brick's flash memory."""
+
 _SIZE = Field("size", Kind.U32, "bytes of the whole file")
 _MAX_BYTES = Field("max_bytes", Kind.U16, "maximum number of content bytes in the reply")
 _DATA = Field("data", Kind.DATA, "a piece of the file's contents")

@@ -21,7 +21,7 @@ from ev3proto.checking.checking import check
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding, Fix, Report, Severity, Suggestion, difference
 from ev3proto.errors import counted
-from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation
+from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD
@@ -67,6 +67,12 @@ class Excerpt:
             lines += [row, under] if at // ROW <= number <= last else [row]
         if len(rows) > MOST_ROWS:
             lines.append([("...".rjust(self._width) + " | ...", Role.ASIDE)])
+        message = self._message
+        names = [operation.full_name for operation in self._operations or ()]
+        if isinstance(message, SystemCommand) and message.command is not None:
+            names.append(message.command)
+        if names:
+            lines.append([(f"{self.margin} = {_cut(', '.join(names), _MOST_OPERATION)}", Role.ASIDE)])
         return lines
 
     @property

@@ -71,6 +71,23 @@ def test_a_habit_is_said_once() -> None:
     assert one.frame[7:] == bytes.fromhex("94 01 02 82 E8 03 82 F4 01 96 94 01 02 82 0B 02 82 F4 01")
 
 
+def test_a_length_in_decimal_names_both_forms() -> None:
+    (one,) = nearest("1500 0000 80 0000 94 01 8102 82E803 82E803")
+    assert one.message == "the length is written in hex: 15 is 0F 00, but 15 00 is 21"
+
+
+def test_the_size_of_a_file_with_its_bytes_swapped() -> None:
+    (one,) = nearest("1800 0000 01 92 000004D2 2E2E2F70726A732F612F612E72626600")
+    assert one.message == "the bytes of size of BEGIN_DOWNLOAD are swapped: 1234 is D2 04 00 00, the low one first"
+
+
+def test_a_command_that_seems_to_be_a_reply() -> None:
+    """Without its counter, the third byte of the mailbox's command is that of a reply's type."""
+    (one,) = nearest("0A00 81 9E 04 61626300 0100 01")
+    assert (one.kind, one.frame) == ("counter-missing", bytes.fromhex("0C00 0000 81 9E 04 61626300 0100 01"))
+    assert nearest("0600 2A00 02 D0A500") == ()
+
+
 @pytest.mark.parametrize("name", CODES)
 def test_right_frames_are_left_alone(name: str) -> None:
     entry = CODES[name]

@@ -15,7 +15,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MIN_LENGTH, REPORT_SIZES, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
+from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
@@ -230,7 +230,16 @@ def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
         if value is None:
             return
         size = _size(field, value)
-        if field.most is not None and size > field.most:
+        if isinstance(value, int) and entry.transfer == _OPENED and value > FLASH_SIZE:
+            yield codes.FILE_TOO_LARGE.finding(
+                at,
+                size,
+                f"{field.name} is {value}, but the flash memory of a brick has {FLASH_SIZE} bytes",
+                "send the size of the file, the low byte first",
+                entry.name,
+                field.name,
+            )
+        elif field.most is not None and size > field.most:
             yield codes.FIELD_TOO_LONG.finding(
                 at,
                 size,

@@ -22,7 +22,7 @@ def one_input(data: bytes) -> None:
     with TemporaryDirectory() as folder, patch("ev3proto.brick.system_commands.RESERVE", 0):
         root = Path(folder)
         brick = Brick(root)
-        brick.files.quota = _QUOTA
+        brick.equipment.files.quota = _QUOTA
         batch: list[Operation] = []
         for byte in data[:_MOST_ACTIONS]:
             kind, number = byte & 0x0F, byte >> 4
@@ -38,7 +38,7 @@ def one_input(data: bytes) -> None:
                 assert _on_disk(root) <= _QUOTA
         _send(brick, batch)
         brick.disconnect(None)
-        assert brick.files.used == _on_disk(root) <= _QUOTA
+        assert brick.equipment.files.used == _on_disk(root) <= _QUOTA
 
 
 def _operation(kind: int, path: str, handle: object) -> Operation | None:

@@ -27,7 +27,7 @@ def one_input(data: bytes) -> None:
         return
     _ran.clear()
     brick = Brick(stretch=_SECONDS)
-    brick.machine = Machine(brick, _recording())
+    brick.machine = Machine(brick.equipment, _recording())
     brick.receive(data)
     brick.advance(_SECONDS)
     # The firmware puts an OBJECT_END after each command.

@@ -215,7 +215,7 @@ def whole() -> Wire:
     connection.unlock()
     with tempfile.TemporaryDirectory() as folder:
         brick = Brick(root=folder)
-        brick.random.seed(1)
+        brick.equipment.random.seed(1)
         for command in commands():
             begun = wire.now
             connection.write(connection.host, command)

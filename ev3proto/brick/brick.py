@@ -26,6 +26,7 @@ from ev3proto.brick.clock import (
     TICK,
     thread_time,
 )
+from ev3proto.brick.devices.display.display import Display
 from ev3proto.brick.devices.motors import Reading
 from ev3proto.brick.dispatch import dispatch_table
 from ev3proto.brick.equipment import Equipment
@@ -84,7 +85,7 @@ class Addressed(NamedTuple):
     frame: bytes
 
 
-class Brick(Equipment):
+class Brick:
     """A brick that has just been switched on.
 
     root     the folder that serves as /home/root/lms2012; None for no files
@@ -100,11 +101,11 @@ class Brick(Equipment):
     ) -> None:
         if stretch is not None and (not isinstance(stretch, int | float) or not stretch >= 0):
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
-        super().__init__(root, check_dialect(dialect), self.stop)
+        self.equipment = Equipment(root, check_dialect(dialect), self.stop)
         self._has_core_set = False
         self.is_computing = False
         self.has_ended_command = False
-        self.machine = Machine(self, dispatch_table(self.dialect))
+        self.machine = Machine(self.equipment, dispatch_table(self.equipment.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Addressed] = deque()
         self._waiting_bytes = 0
@@ -112,19 +113,29 @@ class Brick(Equipment):
         self._command: _Command | None = None
         self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
-        self._system = SystemCommands(self, self.machine)
+        self._system = SystemCommands(self.equipment, self.machine)
 
     # The parts around the machine
 
     @property
+    def microseconds(self) -> int:
+        """The clock, counted from when the brick was switched on."""
+        return self.equipment.microseconds
+
+    @property
+    def display(self) -> Display:
+        """The display: `display.rows` is what it shows."""
+        return self.equipment.display
+
+    @property
     def leds(self) -> int:
         """The pattern of the light behind the buttons, 0 to 9."""
-        return self.panel.light
+        return self.equipment.panel.light
 
     @property
     def terminal(self) -> bytes:
         """The contents of UI_WRITE's text buffer since the last flush."""
-        return bytes(self.console.text)
+        return bytes(self.equipment.console.text)
 
     def plug(
         self,
@@ -150,12 +161,12 @@ class Brick(Equipment):
         Raises:
             ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
         """
-        if self._has_core_set and self.inputs.has_new(port, type):
+        if self._has_core_set and self.equipment.inputs.has_new(port, type):
             self._unplug_all()
-        self.inputs.plug(port, type, readings)
+        self.equipment.inputs.plug(port, type, readings)
         if isinstance(port, str):
             is_fixed = any(value is not None for value in (tacho, speed, count))
-            self.outputs.plug(port, type, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None)
+            self.equipment.outputs.plug(port, type, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None)
 
     def plug_core_set(self) -> None:
         """Plugs in the equipment of LEGO's core set; a device that is plugged in afterwards replaces all of it."""
@@ -165,16 +176,16 @@ class Brick(Equipment):
 
     def _unplug_all(self) -> None:
         self._has_core_set = False
-        for port in self.inputs.plugged():
+        for port in self.equipment.inputs.plugged():
             self.plug(port, NO_DEVICE.number)
 
     def press(self, button: str) -> None:
         """Presses a button by hand: up, enter, down, right, left or back. ValueError for any other name."""
-        self.buttons.press(button, self.microseconds)
+        self.equipment.buttons.press(button, self.microseconds)
 
     def release(self, button: str) -> None:
         """Releases a button. ValueError for an unknown name."""
-        self.buttons.release(button, self.microseconds)
+        self.equipment.buttons.release(button, self.microseconds)
 
     def stop(self) -> None:
         """Stops the user's program, as the back button does."""
@@ -194,7 +205,7 @@ class Brick(Equipment):
             The program; None if the brick refuses the image.
         """
         project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
-        self.files.make_folder(project.rstrip("/").encode())
+        self.equipment.files.make_folder(project.rstrip("/").encode())
         if not self.machine.start_program(slot, Image(image, project)):
             return None
         return self.machine.program_in(slot)
@@ -256,9 +267,10 @@ class Brick(Equipment):
         is_first = True
         while self.microseconds < target:
             # Whole ticks while anything runs, so that results do not depend on the size of the steps.
-            step = TICK - self.microseconds % TICK if self._is_running() else target - self.microseconds
-            self.microseconds = min(target, self.microseconds + step)
-            for part in self.parts:
+            now = self.microseconds
+            step = TICK - now % TICK if self._is_running() else target - now
+            self.equipment.microseconds = min(target, now + step)
+            for part in self.equipment.parts:
                 part.advance(self.microseconds)
             if self.microseconds % TICK == 0 or not self._is_running():
                 self._turn_programs(always=is_first)
@@ -312,7 +324,7 @@ class Brick(Equipment):
                 return
             channel, frame = self._waiting.popleft()
             self._waiting_bytes -= len(frame)
-            if not self.is_dead:
+            if not self.equipment.is_dead:
                 self._take_up(channel, frame)
 
     def _take_up(self, channel: Hashable, frame: bytes) -> None:
@@ -330,7 +342,7 @@ class Brick(Equipment):
     # Direct commands
 
     def _take_direct(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
-        found = verdict(frame, self.dialect)
+        found = verdict(frame, self.equipment.dialect)
         if found.reason in (Reason.EMPTY, Reason.TOO_LONG, Reason.GLOBALS):
             # The firmware never reads again after such a header; this brick answers and continues.
             if wants_reply:
@@ -379,7 +391,7 @@ class Brick(Equipment):
             has_waited = is_waiting
         self._command = None
         self.is_computing = False
-        if not self.is_dead:
+        if not self.equipment.is_dead:
             self._answer(command)
         # A real brick takes some milliseconds for a frame, during which its programs continue.
         self._turn_programs(always=False)

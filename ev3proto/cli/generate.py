@@ -13,6 +13,7 @@ import click
 
 from ev3proto.cli.commands import cli
 from ev3proto.generate.everything import COMMAND, outdated, write, write_modules
+from ev3proto.generate.pages import python_api
 from ev3proto.generate.pages.build import FOLDER
 from ev3proto.generate.pages.markdown import block, page, table
 
@@ -24,9 +25,25 @@ _WIDTH = 100
 _NAME = "ev3proto"
 
 
-def reference_page() -> dict[str, str]:
-    """Returns the page by its path in the project's folder."""
-    return {f"{FOLDER}/command-line.md": page("The command line", _lines())}
+MODULES = (
+    "ev3proto",
+    "ev3proto.reading",
+    "ev3proto.schema",
+    "ev3proto.capture",
+    "ev3proto.program",
+    "ev3proto.system",
+    "ev3proto.brick",
+    "ev3proto.testing",
+)
+"""The public modules; each lists its names in `__all__`."""
+
+
+def reference_pages() -> dict[str, str]:
+    """Returns the pages about the package itself, by their path in the project's folder."""
+    return {
+        f"{FOLDER}/command-line.md": page("The command line", _lines()),
+        f"{FOLDER}/python.md": page("The Python API", python_api.blocks(MODULES)),
+    }
 
 
 def _lines() -> Iterator[str]:
@@ -76,13 +93,13 @@ def main(check: bool, root: Path | None) -> None:
             # The pages and the command line import these modules, so they are written first.
             for path in write_modules(root):
                 click.echo(path)
-            for path in write(root, reference_page()):
+            for path in write(root, reference_pages()):
                 click.echo(path)
         except OSError as error:
             click.echo(f"{error.filename}: cannot be written: {error.strerror}", err=True)
             sys.exit(1)
         return
-    found = list(outdated(root, reference_page()))
+    found = list(outdated(root, reference_pages()))
     for path in found:
         click.echo(f"{path} is out of date: run {COMMAND}", err=True)
     sys.exit(1 if found else 0)

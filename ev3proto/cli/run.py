@@ -139,7 +139,7 @@ async def _first(*events: asyncio.Event) -> None:
 
 def _start(brick: Brick, image: bytes, name: str, slot: int) -> Program | None:
     """Starts the program as PROGRAM_START does, and prints the findings of `check`; None if the brick refuses it."""
-    report = check_program(image, dialect=brick.dialect)
+    report = check_program(image, dialect=brick.equipment.dialect)
     if report.findings:
         complain(str(report))
     program = brick.start(image, name, slot)
@@ -154,7 +154,7 @@ def _ending(brick: Brick, program: Program) -> int:
         complain("the program was ended before its own end")
         return 0
     if program.result == FAIL:
-        named = [ERRORS[number] for number in brick.settings.errors if number < len(ERRORS)]
+        named = [ERRORS[number] for number in brick.equipment.settings.errors if number < len(ERRORS)]
         complain(f"the program failed: {', '.join(named) or 'an operation failed'}")
         return 1
     return 0
@@ -191,7 +191,7 @@ def _screen(brick: Brick) -> Iterator[Callable[[], None]]:
     leds = {number: name for name, number in LEDPATTERN.members.items()}
 
     def state() -> tuple[object, ...]:
-        playing = brick.sound.playing
+        playing = brick.equipment.sound.playing
         return brick.display.rows, leds[brick.leds], playing.frequency if playing is not None else 0
 
     shown = state()

@@ -14,12 +14,12 @@ from support.cases import each
 from support.cli import run_program
 
 from ev3proto import ops, system
-from ev3proto.cli.generate import reference_page
+from ev3proto.cli.generate import reference_pages
 from ev3proto.generate import everything
 from ev3proto.ops import compat, xtended
 
 ROOT = Path(__file__).parents[2]
-FILES = everything.build(reference_page())
+FILES = everything.build(reference_pages())
 MODULES = {
     path.removesuffix(".py").removesuffix("/__init__").replace("/", "."): path for path in FILES if path.endswith(".py")
 }

@@ -43,7 +43,7 @@ def test_an_operation_on_a_full_disk(root: Path, code: bytes, size: int) -> None
         (reply,) = brick.receive(command(code))
         assert reply[4] in (OK, FAIL)
         assert run(brick, op("NOP"))[0] == OK
-    assert brick.files.used == on_disk(root)
+    assert brick.equipment.files.used == on_disk(root)
 
 
 @pytest.mark.parametrize("size", [0, 100])
@@ -74,7 +74,7 @@ class Broken:
 
 def test_a_defect_in_an_operation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served(tmp_path) as brick:
-        monkeypatch.setattr(brick.now.brick.sound, "tone", Broken("the sound"))
+        monkeypatch.setattr(brick.now.brick.equipment.sound, "tone", Broken("the sound"))
         for _ in range(2):
             with Client(brick.port) as client:
                 assert client.ask(command(op("SOUND.TONE", 1, 440, 100)))[4] == FAIL
@@ -85,7 +85,7 @@ def test_a_defect_in_an_operation(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 def test_a_defect_while_time_passes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served(tmp_path) as brick:
         broken = Broken("a part")
-        monkeypatch.setattr(brick.now.brick.inputs, "advance", broken)
+        monkeypatch.setattr(brick.now.brick.equipment.inputs, "advance", broken)
         with Client(brick.port) as client:
             assert client.is_silent(0.2)
             broken.is_broken = False
@@ -113,8 +113,8 @@ def test_a_long_pin_is_answered(tmp_path: Path, length: int) -> None:
 
 def test_a_defect_in_a_system_command_is_answered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served(tmp_path) as brick, Client(brick.port) as client:
-        monkeypatch.setattr(brick.now.brick.mailboxes, "deliver", Broken("a mailbox"))
-        monkeypatch.setattr(brick.now.brick.files, "make_folder", Broken("a folder"))
+        monkeypatch.setattr(brick.now.brick.equipment.mailboxes, "deliver", Broken("a mailbox"))
+        monkeypatch.setattr(brick.now.brick.equipment.files, "make_folder", Broken("a folder"))
         assert client.ask(system(0x9B, b"../prjs/x\0"))[4:] == bytes((0x05, 0x9B, SystemStatus.UNKNOWN_ERROR))
         assert client.ask(NOP) == NOP_REPLY
 
@@ -128,12 +128,12 @@ WRITE = op("FILE.WRITE_BYTES", LV(0), 127, GV(0))
 
 def test_a_file_that_is_opened_twice_counts_as_it_is_on_disk(tmp_path: Path) -> None:
     brick = Brick(tmp_path)
-    brick.files.quota = 2000
+    brick.equipment.files.quota = 2000
     opened_again = op("FILE.OPEN_WRITE", "../prjs/x", LV(2))
     for _ in range(20):
         run(brick, OPEN, *([WRITE] * 12), opened_again, *([WRITE] * 12), locals=4, globals=127)
         assert on_disk(tmp_path) <= 2000
-        assert brick.files.used == on_disk(tmp_path)
+        assert brick.equipment.files.used == on_disk(tmp_path)
 
 
 def test_a_deleted_file_counts_while_it_is_open(tmp_path: Path) -> None:
@@ -183,10 +183,10 @@ def test_what_is_written_over_takes_no_more_room(tmp_path: Path) -> None:
 
 def test_two_downloads_at_once_have_one_quota(tmp_path: Path) -> None:
     brick = Brick(tmp_path)
-    brick.files.quota = 310 * 1024
+    brick.equipment.files.quota = 310 * 1024
     begin = system(0x92, (9000).to_bytes(4, "little") + b"../prjs/x\0")
     handles = [brick.receive(begin)[0][7] for _ in range(8)]
     for handle in handles:
         for _ in range(9):
             brick.receive(system(0x93, bytes((handle,)) + bytes(1000)))
-    assert brick.files.used == on_disk(tmp_path) <= 310 * 1024
+    assert brick.equipment.files.used == on_disk(tmp_path) <= 310 * 1024

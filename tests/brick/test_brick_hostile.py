@@ -36,7 +36,7 @@ def is_alive(brick: Brick, frame: bytes) -> None:
     for reply in replies:
         assert int.from_bytes(reply[:2], "little") == len(reply) - 2
         assert reply[2:4] == frame[2:4]
-    assert brick.is_dead or brick.receive(NOP) == [NOP_REPLY]
+    assert brick.equipment.is_dead or brick.receive(NOP) == [NOP_REPLY]
 
 
 @settings(max_examples=effort(80, 3000), suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
@@ -61,7 +61,7 @@ def test_any_bytes_in_place_of_a_frame(frame: bytes) -> None:
     brick = Brick()
     brick.receive(frame)
     brick.advance(0.1)
-    assert brick.is_dead or brick.receive(NOP) == [NOP_REPLY]
+    assert brick.equipment.is_dead or brick.receive(NOP) == [NOP_REPLY]
 
 
 def test_a_call_lasts_no_longer_than_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -119,10 +119,10 @@ class TestValues:
     def test_values_in_units(self, brick: Brick, type: int, raw: int, si: float, percent: int) -> None:
         """Not clamped, except those of analog sensors that have no unit or percent."""
         brick.plug(1, type, {0: (raw,)})
-        device = brick.inputs.device(0, 0)
+        device = brick.equipment.inputs.device(0, 0)
         assert device is not None
-        assert brick.inputs.si(device, 0) == si
-        assert brick.inputs.percent(device, 0) == percent
+        assert brick.equipment.inputs.si(device, 0) == si
+        assert brick.equipment.inputs.percent(device, 0) == percent
 
     def test_calibration(self, brick: Brick) -> None:
         """CAL_MIN brings a calibration into use; from then on ends are given in the unit of the range that is used."""
@@ -249,7 +249,7 @@ class TestPlugging:
             Brick().plug(port, type, readings)
 
     def test_what_is_plugged_in(self, brick: Brick) -> None:
-        found = {port: device.type.number for port, device in brick.inputs.plugged().items()}
+        found = {port: device.type.number for port, device in brick.equipment.inputs.plugged().items()}
         assert found == {1: 16, 2: 29, 3: 33, 4: 30, "A": 8}
 
     def test_unplugging(self, brick: Brick) -> None:

@@ -177,12 +177,12 @@ class TestText:
             brick,
             "UI_WRITE(PUT_STRING, 'lost') UI_FLUSH() UI_WRITE(TERMINAL, 1) UI_WRITE(PUT_STRING, 'seen') UI_FLUSH()",
         )
-        assert bytes(brick.console.printed) == b"seen"
+        assert bytes(brick.equipment.console.printed) == b"seen"
 
     def test_what_is_typed_is_waited_for(self, brick: Brick) -> None:
         assert ask(brick, "DATA8 key UI_READ(KEY, key)") == "00"
         assert ask(brick, "DATAS line 6 UI_READ(GET_STRING, 5, line)", seconds=1) == "busy"
-        brick.console.typed += b"hello\rx"
+        brick.equipment.console.typed += b"hello\rx"
         assert answer(brick.advance(0.01)) == "68 65 6c 6c 6f 00"
         assert ask(brick, "DATA8 key UI_READ(KEY, key)") == "78"
 
@@ -220,7 +220,7 @@ class TestState:
 
     @pytest.mark.parametrize(("volt", "percent"), [(6.0, 0), (6.85, 50), (9.0, 100)])
     def test_how_full_the_battery_is(self, brick: Brick, volt: float, percent: int) -> None:
-        brick.panel.battery.voltage = volt
+        brick.equipment.panel.battery.voltage = volt
         assert ask(brick, "DATA8 percent UI_READ(GET_LBATT, percent)") == f"{percent:02x}"
 
     @pytest.mark.parametrize(("number", "pattern"), [(-3, 0), (0, 0), (2, 2), (9, 9), (10, 9)])
@@ -230,7 +230,7 @@ class TestState:
         assert brick.leds == pattern
 
     def test_the_light_is_orange_while_there_is_a_warning(self, brick: Brick) -> None:
-        brick.panel.warnings = 4
+        brick.equipment.panel.warnings = 4
         ask(brick, "UI_WRITE(LED, LED_RED_FLASH)")
         assert brick.leds == 6
 
@@ -414,8 +414,8 @@ class TestSound:
     )
     def test_tones(self, brick: Brick, volume: int, hertz: int, played: tuple[int, int]) -> None:
         ask(brick, f"SOUND(TONE, {volume}, {hertz}, 100)")
-        assert brick.sound.playing is not None
-        assert (brick.sound.playing.volume, brick.sound.playing.frequency) == played
+        assert brick.equipment.sound.playing is not None
+        assert (brick.equipment.sound.playing.volume, brick.equipment.sound.playing.frequency) == played
         assert self.is_busy(brick)
         brick.advance(0.1)
         assert not self.is_busy(brick)

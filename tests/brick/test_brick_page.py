@@ -157,7 +157,7 @@ def test_actions_and_what_is_wrong_with_them(brick: Served, tmp_path: Path) -> N
     assert file == {"path": "/home/root/lms2012/prjs/robot.rbf", "contents": "TEVHTw=="}
     (folder,) = [message["folder"] for message in messages if "folder" in message]
     assert [entry["name"] for entry in folder["entries"]] == ["apps", "prjs", "sys", "tools"]
-    assert brick.now.brick.inputs.plugged()[1].raw() == 4000
+    assert brick.now.brick.equipment.inputs.plugged()[1].raw() == 4000
 
 
 @pytest.mark.parametrize("width", [390, 1400])
@@ -205,7 +205,7 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     read = command("DATA8 light\nDATA8 enter\nINPUT_READ(0, 0, 0, -1, light)\nUI_BUTTON(SHORTPRESS, 2, enter)", 7)
     wait.until(lambda _: client.ask(read)[5] == 77)
     # The button is released in a separate message.
-    wait.until(lambda _: brick.now.brick.buttons.bump(2))
+    wait.until(lambda _: brick.now.brick.equipment.buttons.bump(2))
 
     # A distance has its unit; a touch sensor is a button.
     brick.now.brick.plug(2, 30, {0: (1941,)})
@@ -213,9 +213,9 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     brick.now.brick.plug(3, 16)
     touch = wait.until(lambda _: browser.find_element(By.CSS_SELECTOR, ".touch"))
     ActionChains(browser).click_and_hold(touch).perform()
-    wait.until(lambda _: brick.now.brick.inputs.plugged()[3].raw() == 2000 and touch.text == "pressed")
+    wait.until(lambda _: brick.now.brick.equipment.inputs.plugged()[3].raw() == 2000 and touch.text == "pressed")
     ActionChains(browser).release().perform()
-    wait.until(lambda _: brick.now.brick.inputs.plugged()[3].raw() == 1000 and touch.text == "not pressed")
+    wait.until(lambda _: brick.now.brick.equipment.inputs.plugged()[3].raw() == 1000 and touch.text == "not pressed")
     assert not scrolls_sideways(browser)
 
     # Lines that do not match are hidden; a name is shown as text.

@@ -386,7 +386,7 @@ def test_switches_are_remembered(brick: Brick) -> None:
 )
 def test_renaming_the_brick(brick: Brick, name: str, kind: int, then: str) -> None:
     assert run(brick, op("COM_SET.SET_BRICKNAME", name))[0] == kind
-    assert brick.settings.name == then
+    assert brick.equipment.settings.name == then
 
 
 def test_forbidden_characters_are_replaced_in_the_callers_own_text(brick: Brick) -> None:

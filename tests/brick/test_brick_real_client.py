@@ -31,7 +31,7 @@ def test_about_the_brick(talking: Talking) -> None:
     assert changed == ("Robot", 20, 10)
     assert client.host == "00:16:53:0F:0C:1E"
     assert str(client) == "WiFi connected EV3 00:16:53:0F:0C:1E (Robot)"
-    assert brick.now.brick.settings.name == "Robot"
+    assert brick.now.brick.equipment.settings.name == "Robot"
 
 
 def test_sensors(talking: Talking) -> None:

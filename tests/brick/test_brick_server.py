@@ -367,7 +367,7 @@ def test_a_file_larger_than_the_limit_and_a_full_folder(tmp_path: Path) -> None:
         (tmp_path / "prjs" / "x.bin").write_bytes(bytes(100))
     with served(tmp_path) as brick, Client(brick.port) as client:
         # A download has to leave 300 KB free, and there is a file of 100 bytes.
-        brick.now.brick.files.quota = 300 * 1024 + 150
+        brick.now.brick.equipment.files.quota = 300 * 1024 + 150
         assert upload(client, b"y.bin", bytes(100)) == 9
         assert upload(client, b"z.bin", bytes(40)) == 8
 
@@ -464,7 +464,7 @@ def test_what_is_drawn_may_be_shown_by_a_later_frame(tmp_path: Path, shows: bool
 
 def test_the_serial_number_is_that_of_the_beacon(tmp_path: Path) -> None:
     with served(tmp_path, replace(PLAIN, serial_number="00165340abcd")) as brick:
-        assert brick.now.brick.settings.bluetooth_address == "00165340abcd"
+        assert brick.now.brick.equipment.settings.bluetooth_address == "00165340abcd"
     done = run_ev3proto_text("brick", "--serial-number", "xyz")
     assert done.returncode == 2
     assert "invalid serial number 'xyz'; expected 12 hexadecimal digits" in done.stderr
@@ -651,9 +651,9 @@ def test_a_device_that_is_plugged_in_replaces_the_core_set(tmp_path: Path) -> No
         # New readings, or another device that is unplugged, do not.
         brick.now.brick.plug(1, 16, {0: (4000,)})
         brick.now.brick.plug(2, 126)
-        assert len(brick.now.brick.inputs.plugged()) == 6
+        assert len(brick.now.brick.equipment.inputs.plugged()) == 6
         brick.now.brick.plug(2, 16)
-        assert list(brick.now.brick.inputs.plugged()) == [2]
+        assert list(brick.now.brick.equipment.inputs.plugged()) == [2]
 
 
 def test_a_command_that_waits_for_a_missing_motor(tmp_path: Path) -> None:

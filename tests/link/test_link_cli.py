@@ -715,7 +715,7 @@ def test_the_proxy_announces_the_serial_number_of_its_brick(tmp_path: Path) -> N
     ):
         assert announced_number(Target.parse("wifi:127.0.0.1"), wire) == number
         assert announced_number(Target.parse("wifi:00:16:53:00:00:01"), wire) == "001653000001"
-        brick.now.brick.settings.bluetooth_address = "none"
+        brick.now.brick.equipment.settings.bluetooth_address = "none"
         assert announced_number(Target.parse("wifi:127.0.0.1"), wire) == "000000000000"
     done = run_ev3proto_text("proxy", "--to", "virtual", "--serial-number", "xyz")
     assert done.returncode == 2

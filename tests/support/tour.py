@@ -136,7 +136,7 @@ def jukebox(client: Any, brick: Served) -> Iterator[Any]:
 
 def _frequency(brick: Served) -> int | None:
     """The tone that is playing."""
-    playing = brick.now.brick.sound.playing
+    playing = brick.now.brick.equipment.sound.playing
     return None if playing is None else playing.frequency
 
 

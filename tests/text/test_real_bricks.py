@@ -190,7 +190,8 @@ def test_values_of_sensors_are_the_same(brick: Brick, exchange: Exchange) -> Non
         brick.advance(2)
     if exchange.command[7] == 0x81:
         assert exchange.reply is not None
-        brick.panel.battery.voltage, brick.panel.battery.current = struct.unpack("<ff", exchange.reply[5:13])
+        battery = brick.equipment.panel.battery
+        battery.voltage, battery.current = struct.unpack("<ff", exchange.reply[5:13])
     assert play(brick, exchange) == exchange.reply
 
 

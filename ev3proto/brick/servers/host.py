@@ -388,8 +388,8 @@ class Host:
             if self._current is not None:
                 self._current[0].forget_frames()
                 self.say_once(f"{self._current[0].name}: an endless command was ended; a real brick stops answering")
-        if brick.is_dead:
-            brick.is_dead = False
+        if brick.equipment.is_dead:
+            brick.equipment.is_dead = False
             self.say_once(
                 "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one continues"
             )

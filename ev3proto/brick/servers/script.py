@@ -79,15 +79,15 @@ class Script:
         for plug in self.plugs:
             brick.plug(plug.port, plug.type, plug.readings)
         if self.name is not None:
-            brick.settings.name = self.name
+            brick.equipment.settings.name = self.name
         if self.voltage is not None:
-            brick.panel.battery.voltage = self.voltage
+            brick.equipment.panel.battery.voltage = self.voltage
         if self.current is not None:
-            brick.panel.battery.current = self.current
+            brick.equipment.panel.battery.current = self.current
 
     def do(self, step: Step, brick: Brick) -> None:
         """Does one step."""
-        types = {port: device.type.number for port, device in brick.inputs.plugged().items()}
+        types = {port: device.type.number for port, device in brick.equipment.inputs.plugged().items()}
         for port, readings in step.readings.items():
             if port in types:
                 brick.plug(port, types[port], readings)

@@ -85,7 +85,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             brick.plug_core_set()
         options.script.set_up(brick)
         if options.serial_number is not None:
-            brick.settings.bluetooth_address = options.serial_number
+            brick.equipment.settings.bluetooth_address = options.serial_number
         _make_usual_folders(root)
         host = Host(brick, say, options.faults)
         loop.set_exception_handler(lambda _, context: host.say_once(f"a defect, {REPORT_IT}: {_told(context)}"))
@@ -113,7 +113,8 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
             stack.push_async_callback(wifi.close)
             await wifi.listen(options.address, options.port)
             address, port = wifi.address, wifi.port
-            brick.settings.wifi, brick.settings.network, brick.settings.ip = True, NETWORK, address
+            settings = brick.equipment.settings
+            settings.wifi, settings.network, settings.ip = True, NETWORK, address
             if options.beacon:
                 wifi.announce(lambda: _beacon(brick, port))
         if not is_loopback(options.address):
@@ -124,7 +125,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
 
 
 def _beacon(brick: Brick, port: int) -> Beacon:
-    return Beacon(brick.settings.bluetooth_address, str(port), brick.settings.name)
+    return Beacon(brick.equipment.settings.bluetooth_address, str(port), brick.equipment.settings.name)
 
 
 def _make_usual_folders(root: Path) -> None:

@@ -10,7 +10,6 @@ from ev3proto.generate.pages import (
     filters,
     numbers,
     operations,
-    python_api,
     read_only,
     system_commands,
 )
@@ -22,7 +21,7 @@ FOLDER = "docs/reference"
 
 
 def build() -> dict[str, str]:
-    """Generates all pages except that of the command line; the same text every time."""
+    """Generates all pages except those about the package itself; the same text every time."""
     pages = {
         "index.md": page("Reference", contents.blocks()),
         **{f"{area}.md": page(f"{AREA_TITLES[area]} ({area})", operations.blocks(area)) for area in AREAS},
@@ -32,6 +31,5 @@ def build() -> dict[str, str]:
         "filters.md": page("Filters", filters.blocks()),
         "numbers.md": page("Numbers and names", numbers.blocks()),
         "read-only.md": page("What only reads", read_only.blocks()),
-        "python.md": page("The Python API", python_api.blocks()),
     }
     return {f"{FOLDER}/{name}": text for name, text in pages.items()}

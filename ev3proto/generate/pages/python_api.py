@@ -6,7 +6,7 @@ import dataclasses
 import enum
 import inspect
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
@@ -14,55 +14,44 @@ from typing import Any
 
 from ev3proto.generate.pages.markdown import block, link, listed, plain, table
 
-MODULES = (
-    "ev3proto",
-    "ev3proto.reading",
-    "ev3proto.schema",
-    "ev3proto.capture",
-    "ev3proto.program",
-    "ev3proto.system",
-    "ev3proto.brick",
-    "ev3proto.testing",
-)
-"""The public modules; each lists its names in `__all__`."""
-
 _PLAIN = (bool, int, float, str, bytes, tuple, type(None))
 _WIDTH = 100
 _SECTIONS = ("Args", "Returns", "Raises", "Yields", "Attributes")
 
 
-def blocks() -> Iterator[str]:
-    """Yields the blocks of the page."""
+def blocks(names: Iterable[str]) -> Iterator[str]:
+    """Yields the blocks of the page, for the names of the public modules; each lists its names in `__all__`."""
     yield (
         "The public names of the package. The functions of `ev3proto.ops` are listed with their operations in the"
         " reference of the instruction set, those of `ev3proto.enums` with the [enumerations](enumerations.md)."
     )
-    modules = [import_module(name) for name in MODULES]
+    modules = [import_module(name) for name in names]
+    offered = {id(found) for module in modules for found in vars(module).values()}
     yield listed(f"{link(module.__name__, module.__name__)}: {plain(_first_line(module))}" for module in modules)
     for module in modules:
-        yield from _module(module)
+        yield from _module(module, offered)
 
 
 def _first_line(value: object) -> str:
     return (inspect.getdoc(value) or "").partition("\n")[0]
 
 
-def _module(module: ModuleType) -> Iterator[str]:
+def _module(module: ModuleType, offered: Container[int]) -> Iterator[str]:
     yield f"## {module.__name__}"
-    offered = [(name, getattr(module, name)) for name in module.__all__]
-    shown = [(name, value) for name, value in offered if inspect.isclass(value) or inspect.isroutine(value)]
+    public = [(name, getattr(module, name)) for name in module.__all__]
+    shown = [(name, value) for name, value in public if inspect.isclass(value) or inspect.isroutine(value)]
     rows = ((link(name, f"{module.__name__}.{name}"), plain(_first_line(value))) for name, value in shown)
     yield table(("name", "what it is"), rows)
     for name, value in shown:
         yield f"### {module.__name__}.{name}"
         if inspect.isclass(value):
-            yield from _class(name, value)
+            yield from _class(name, value, offered)
         else:
             yield block("python", _signature(f"def {name}", value))
             yield from _docstring(value)
 
 
-def _class(name: str, value: type) -> Iterator[str]:
+def _class(name: str, value: type, offered: Container[int]) -> Iterator[str]:
     if issubclass(value, enum.Enum):
         yield from _docstring(value)
         yield ", ".join(f"`{member}`" for member in value.__members__)
@@ -75,7 +64,7 @@ def _class(name: str, value: type) -> Iterator[str]:
     yield from _docstring(value)
     if "__init__" in vars(value) and not dataclasses.is_dataclass(value):
         yield from _docstring(value.__init__)
-    for member, found in _members(value).items():
+    for member, found in _members(value, offered).items():
         if member.startswith("_"):
             continue
         if isinstance(found, property | cached_property):
@@ -86,9 +75,8 @@ def _class(name: str, value: type) -> Iterator[str]:
             yield from _docstring(function)
 
 
-def _members(value: type) -> dict[str, Any]:
+def _members(value: type, offered: Container[int]) -> dict[str, Any]:
     """Returns what a class defines, then what it inherits from bases that no module exports."""
-    offered = {id(found) for name in MODULES for found in vars(import_module(name)).values()}
     ours = [each for each in value.__mro__ if each.__module__.startswith("ev3proto.")]
     told = [each for each in ours if each is value or id(each) not in offered]
     names = dict.fromkeys(name for each in told for name in vars(each))

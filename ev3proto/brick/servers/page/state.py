@@ -73,7 +73,7 @@ class Changes:
         last, self._last = self._last, now
         new: dict[str, Any] = {} if last else {"facts": _facts()}
         new |= {key: value for key, value in now.items() if last.get(key, _UNSEEN) != value}
-        talks = [talk.entry(self._brick.dialect) for talk in self._unshown.take(_MOST_TALKS)]
+        talks = [talk.entry(self._brick.equipment.dialect) for talk in self._unshown.take(_MOST_TALKS)]
         if talks:
             new |= {"talks": talks, "left_out": self._unshown.left_out}
         return new
@@ -84,22 +84,22 @@ _UNSEEN = object()
 
 def _state(brick: Brick) -> dict[str, Any]:
     """The state that may change, by key."""
-    playing = brick.sound.playing
+    playing, console, battery = brick.equipment.sound.playing, brick.equipment.console, brick.equipment.panel.battery
     program = brick.machine.slots[USER_SLOT]
     return {
-        "name": brick.settings.name,
+        "name": brick.equipment.settings.name,
         "display": base64.b64encode(b"".join(brick.display.rows)).decode(),
         "light": brick.leds,
-        "down": [name for name, number in BUTTONS.items() if brick.buttons.is_down(number)],
+        "down": [name for name, number in BUTTONS.items() if brick.equipment.buttons.is_down(number)],
         "motors": _motors(brick),
         "waiting": brick.waits_for or _endless(brick),
         "sensors": _sensors(brick),
         "tone": None
         if playing is None or not playing.frequency
         else {"volume": playing.volume, "frequency": playing.frequency, "began": playing.began},
-        "terminal": (bytes(brick.console.printed) + bytes(brick.console.text))[-_MOST_TERMINAL:].decode(STRING_CODING),
+        "terminal": bytes(console.printed + console.text)[-_MOST_TERMINAL:].decode(STRING_CODING),
         "program": program is not None and program.status == RUNNING,
-        "battery": {"volt": round(brick.panel.battery.voltage, 2), "percent": brick.panel.battery.percent},
+        "battery": {"volt": round(battery.voltage, 2), "percent": battery.percent},
     }
 
 
@@ -112,18 +112,18 @@ def _motors(brick: Brick) -> list[dict[str, Any]]:
             "speed": motor.reading.speed,
             "busy": motor.is_busy,
         }
-        for port, motor in zip(MOTOR_PORTS, brick.outputs.motors, strict=True)
+        for port, motor in zip(MOTOR_PORTS, brick.equipment.outputs.motors, strict=True)
     ]
 
 
 def _endless(brick: Brick) -> str:
     """Returns which moves never end because no motor is there; empty without any."""
-    missing = brick.outputs.missing(brick.outputs.motors)
+    missing = brick.equipment.outputs.missing(brick.equipment.outputs.motors)
     return f"a move on {' and '.join(missing)} does not end: no motor is plugged in there" if missing else ""
 
 
 def _sensors(brick: Brick) -> list[dict[str, Any]]:
-    plugged = brick.inputs.plugged()
+    plugged = brick.equipment.inputs.plugged()
     found: list[dict[str, Any]] = []
     for port in range(1, PORTS + 1):
         device = plugged.get(port)
@@ -157,13 +157,13 @@ def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
         case {"do": "plug", "port": int() | str() as port, "type": int(number)}:
             brick.plug(port, number)
         case {"do": "read", "port": int(port), "mode": int(mode), "values": list(values)}:
-            device = brick.inputs.plugged().get(port)
+            device = brick.equipment.inputs.plugged().get(port)
             if device is not None:
                 brick.plug(port, device.type.number, {mode: _numbers(values, device.type.modes[mode].datasets)})
         case {"do": "list", "path": str(path)}:
             return {"folder": _listing(brick, path)}
         case {"do": "fetch", "path": str(path)}:
-            found = brick.files.read(_path(path))
+            found = brick.equipment.files.read(_path(path))
             if found is None:
                 raise ValueError(f"no such file: {path}")
             return {"file": {"path": path, "contents": base64.b64encode(found).decode()}}
@@ -174,7 +174,7 @@ def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
 
 def _listing(brick: Brick, path: str) -> dict[str, Any]:
     """Returns a folder of the brick; raises ValueError if it does not exist."""
-    files = brick.files
+    files = brick.equipment.files
     name = _path(path)
     place = files.locate(name)
     if place is None or not files.is_folder(name):

@@ -99,13 +99,21 @@ IMPORTS = {module: set(_imports(path)) - {module} for module, path in FILES.item
 NAMED = {module: set(_named(path)) - {module, "ev3proto"} for module, path in FILES.items()}
 
 UPWARD = {
-    # Methods of public objects whose code is in a higher layer.
+    # Message.build: a message is what the readers of schema return, and they also build it.
     ("ev3proto.messages", "ev3proto.schema.frame"),
+    # Report.fixed and Report.nearest: a fix and a suggestion are checked again, which makes another report.
     ("ev3proto.checking.report", "ev3proto.checking.fixing"),
     ("ev3proto.checking.report", "ev3proto.checking.nearest"),
+    # str(report) and str(fix): text renders reports, and checking prints nothing.
     ("ev3proto.checking.report", "ev3proto.text.diagnostics"),
 }
-"""The only calls of higher layers, and against the order of files: in functions, when they are used."""
+"""The only calls of higher layers, and against the order of files, each with its reason: made when they are used."""
+
+CORE = (
+    *("tables", "errors", "messages", "schema", "enums", "stream", "system"),
+    *("semantics", "compose", "dialogue", "ops", "checking", "generate.dissector"),
+)
+"""The packages on which the others build."""
 
 
 def test_every_package_has_a_layer() -> None:
@@ -119,6 +127,30 @@ def test_the_layers_are_those_of_contributing() -> None:
     table = re.findall(r"^\| (\d+) \| (`.*?) \|", (ROOT / "CONTRIBUTING.md").read_text(), re.MULTILINE)
     listed = {int(number): set(re.findall(r"`(\w+)`", packages)) for number, packages in table}
     assert listed == dict(enumerate(LAYERS))
+
+
+def test_the_core_is_that_of_contributing() -> None:
+    """The rest of the package imports only those of its modules that CONTRIBUTING lists."""
+    text = (ROOT / "CONTRIBUTING.md").read_text()
+    section = text[text.index("### The core") : text.index("### Words")]
+    paragraph, table = section.split("| core |")
+    assert tuple(re.findall(r"`([\w.]+)`", paragraph)) == CORE
+    listed = set()
+    for package, modules in re.findall(r"^\| `([\w.]+)` \| (.*) \|$", table, re.MULTILINE):
+        assert package in CORE
+        listed |= {f"ev3proto.{package}.{name}" for name in re.findall(r"`([\w.]+)`", modules)}
+    single = {f"ev3proto.{package}" for package in CORE}
+
+    def is_core(module: str) -> bool:
+        return any(module == each or module.startswith(f"{each}.") for each in single)
+
+    imported = {
+        other for module, others in IMPORTS.items() if module != "ev3proto" and not is_core(module) for other in others
+    }
+    # All of the tables, the enumerations and the functions are public.
+    public = tuple(f"ev3proto.{package}." for package in ("tables", "enums", "system", "ops"))
+    used = {each for each in imported if is_core(each) and each not in single and not each.startswith(public)}
+    assert used == listed
 
 
 def test_files_import_from_lower_layers_only() -> None:

@@ -49,9 +49,6 @@ _OPEN_HANDLES = bytes(HANDLES // 8 + 1)
 _EMPTY = {"size": 0, "list_size": 0, "handle": NO_HANDLE, "data": b"", "list": ""}
 """The fields of replies that read nothing."""
 
-_MOST_PIN = 0xFE
-"""Bytes of a PIN that its length field counts with the zero after it."""
-
 _ADDRESS_ROOM = int(CONSTANTS["BTADRSIZE"])
 
 
@@ -61,6 +58,7 @@ class Answer(NamedTuple):
     status: SystemStatus  # the status
     fields: Mapping[str, Any]  # by name: the reply's other fields, possibly more
     is_error: bool = True  # whether a status that is a failure makes it an error reply
+    rest: bytes = b""  # bytes after the fields
 
 
 class Request(NamedTuple):
@@ -140,7 +138,7 @@ class SystemCommands:
         is_error = found.is_error and found.status.is_failure
         reply = REPLIES[number]
         fields = {field.name: found.fields[field.name] for field in reply.fields if field.name in found.fields}
-        return is_error, bytes((number, found.status)) + reply.write_present(fields)
+        return is_error, bytes((number, found.status)) + reply.write_present(fields) + found.rest
 
     def disconnect(self, channel: Hashable) -> None:
         """Frees the handles of a connection that has ended."""
@@ -326,9 +324,11 @@ class SystemCommands:
     def bluetooth_pin(self, request: Request) -> Answer:
         """Refuses by the status, not by the type of the reply: it works on USB only, which this brick lacks."""
         address = self._brick.settings.bluetooth_address
-        pin = request.text("pin")[:_MOST_PIN].decode(STRING_CODING)
-        fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": len(pin) + 1, "pin": pin}
-        return Answer(SystemStatus.ILLEGAL_CONNECTION, fields, is_error=False)
+        length = request.number("pin_length")
+        fields = {"mac_length": _ADDRESS_ROOM, "mac": address, "pin_length": length}
+        # As many bytes as the request counts, which need not include a zero.
+        pin = request.text("pin").ljust(length, b"\0")[:length]
+        return Answer(SystemStatus.ILLEGAL_CONNECTION, fields, is_error=False, rest=pin)
 
     @_answers("SETBUNDLEID")
     def set_bundle_id(self, request: Request) -> Answer:

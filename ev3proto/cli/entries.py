@@ -134,7 +134,7 @@ def encodings() -> Iterator[Entry]:
 def modes() -> Iterator[Entry]:
     """Yields the modes of sensors and motors, by the names of their manuals."""
     for device in DEVICE_TYPES.values():
-        type_name = TYPE.name_of(device.number)
+        type_name = ", ".join(filter(None, (str(device.number), TYPE.name_of(device.number))))
         for number, mode in enumerate(device.modes):
             unit = f" {mode.symbol}" if mode.symbol else ""
             values = f"{counted(mode.datasets, 'value')}, {mode.si.least:g} to {mode.si.most:g}{unit}"
@@ -142,7 +142,7 @@ def modes() -> Iterator[Entry]:
                 mode.name,
                 number,
                 MODE,
-                f"Mode {number} of type {device.number}, {type_name}",
+                f"Mode {number} of type {type_name}",
                 [
                     f"{values}; raw {mode.raw.least:g} to {mode.raw.most:g}",
                     f"INPUT_DEVICE(READY_SI, 0, PORT, {device.number}, {number}, {mode.datasets}, ...) reads it, with"
@@ -160,7 +160,8 @@ def error_numbers() -> Iterator[Entry]:
 def device_types() -> Iterator[Entry]:
     """Yields the types of sensors and motors."""
     for device in DEVICE_TYPES.values():
+        type_name = TYPE.name_of(device.number)
+        if type_name is None:
+            continue
         names = [f"modes: {', '.join(f'{number} {mode.name}' for number, mode in enumerate(device.modes))}"]
-        yield named(
-            TYPE.name_of(device.number) or "", device.number, "type of a sensor or motor", "A device type", names
-        )
+        yield named(type_name, device.number, "type of a sensor or motor", "A device type", names)

@@ -451,9 +451,12 @@ def test_arrays_take_all_of_a_path(brick: Brick) -> None:
     assert run(brick, *code, globals=21, locals=2) == (OK, (17).to_bytes(4, "little") + b"../prjs/name.rtf\0")
 
 
-def test_a_pin_comes_back_with_the_address(brick: Brick) -> None:
-    expected = bytes((12, 13)) + b"0016530f0c1e\0" + bytes((5,)) + b"1234\0"
-    assert answer(brick, system.bluetoothpin("0016533f0c1e", "1234")) == (REPLY, expected)
+@pytest.mark.parametrize("pin", [b"1234\0", b"1234", b"123456789"])
+def test_a_pin_comes_back_with_the_address(brick: Brick, pin: bytes) -> None:
+    """As many bytes of it as the request counts, with a zero or without."""
+    body = b"\x01\0\x01\x9f\x0d0016533f0c1e\0" + bytes((len(pin),)) + pin
+    (reply,) = brick.receive(len(body).to_bytes(2, "little") + body)
+    assert reply[4:] == bytes((REPLY, 0x9F, 12, 13)) + b"0016530f0c1e\0" + bytes((len(pin),)) + pin
 
 
 def test_a_download_leaves_room(brick: Brick) -> None:

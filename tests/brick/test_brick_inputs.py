@@ -151,6 +151,58 @@ class TestModes:
         assert answer(brick.advance(most - least + 0.001)) != "busy"
         assert ask(brick, read) != "busy"
 
+    @pytest.mark.parametrize(
+        ("type", "mode", "milliseconds"),
+        [(2, 1, 20), (3, 1, 300), (5, 1, 300), (6, 1, 300), (99, 2, 100), (100, 1, 100)],
+    )
+    def test_older_sensors_take_longer(self, type: int, mode: int, milliseconds: int) -> None:
+        brick = Brick()
+        brick.plug(1, type)
+        ask(brick, PERCENT.format(0, mode))
+        brick.advance((milliseconds - 1) / 1000)
+        assert ask(brick, "DATA8 busy INPUT_TEST(0, 0, busy)") == "01"
+        brick.advance(0.011)
+        assert ask(brick, "DATA8 busy INPUT_TEST(0, 0, busy)") == "00"
+
+    def test_only_ready_changes_a_device_that_is_busy(self, brick: Brick) -> None:
+        ask(brick, PERCENT.format(1, 2))
+        assert ask(brick, "DATAF v INPUT_DEVICE(READY_SI, 0, 1, 0, 1, 1, v)", seconds=0.03) == "00 00 00 00"
+        assert ask(brick, "DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 1, t, m)") == "1d 01"
+
+    def test_a_motor_is_ready_as_soon_as_it_is_read(self, brick: Brick) -> None:
+        brick.plug("B", 7)
+        assert ask(brick, "DATAF v INPUT_READSI(0, 17, 0, 2, v)") == "00 00 00 00"
+
+    def test_the_type_of_a_uart_sensor_is_unknown_until_one_was_there(self) -> None:
+        brick = Brick()
+        brick.plug(1, 30)
+        taken_for = "DATA8 t DATA8 m INPUT_DEVICE(GET_TYPEMODE, 0, 0, t, m)"
+        ask(brick, "DATA8 p INPUT_READ(0, 0, 29, 2, p)")
+        assert ask(brick, taken_for) == "7d 00"
+        brick.plug(2, 29)
+        brick.advance(0.1)
+        ask(brick, "DATA8 p INPUT_READ(0, 0, 29, 2, p)")
+        assert ask(brick, taken_for) == "1d 02"
+
+    def test_another_type_reads_the_same_bytes(self, brick: Brick) -> None:
+        # 1234 is d2 04: as a signed byte -46.
+        ask(brick, "DATA8 p INPUT_READ(0, 3, 29, 0, p)")
+        brick.advance(0.1)
+        assert ask(brick, "DATA32 raw INPUT_DEVICE(GET_RAW, 0, 3, raw)") == "d2 ff ff ff"
+
+    def test_everything_is_cleared_and_reset(self, brick: Brick) -> None:
+        brick.plug("B", 7)
+        ask(brick, "OUTPUT_STEP_SYNC(0, A+B, 50, 0, 0, 1)")
+        brick.press("enter")
+        brick.advance(0.5)
+        brick.release("enter")
+        ask(brick, "INPUT_DEVICE(CLR_ALL, 0)")
+        # The touch sensor is analog, the colour sensor sends by itself; the motors float.
+        assert ask(brick, "DATA8 a DATA8 b INPUT_TEST(0, 0, a) INPUT_TEST(0, 1, b)") == "00 01"
+        assert ask(brick, "DATA8 busy OUTPUT_TEST(0, A+B, busy)") == "00"
+        assert ask(brick, "DATA8 pressed UI_BUTTON(SHORTPRESS, 2, pressed)") == "00"
+        assert ask(brick, "DATA32 count OUTPUT_GET_COUNT(0, 0, count)") == "00 00 00 00"
+
     def test_a_device_that_is_changing_its_mode_keeps_it(self, brick: Brick) -> None:
         ask(brick, SI.format(2, 1))
         ask(brick, SI.format(2, 2))
@@ -260,6 +312,9 @@ class TestPlugging:
         """As many modes and views as the firmware's table has."""
         found = {number: (len(device.modes), device.views) for number, device in DEVICE_TYPES.items()}
         assert found == {
-            1: (2, 1), 2: (2, 2), 3: (2, 2), 4: (6, 5), 5: (2, 2), 6: (2, 2), 7: (3, 2), 8: (3, 2), 16: (2, 1),
-            29: (6, 3), 30: (7, 3), 32: (5, 2), 33: (6, 3), 99: (8, 7), 125: (1, 1), 126: (1, 1),
+            1: (2, 1), 2: (2, 2), 3: (2, 2), 4: (6, 5), 5: (2, 2), 6: (2, 2), 7: (3, 2), 8: (3, 2), 9: (1, 1),
+            10: (1, 1), 11: (1, 1), 12: (1, 1), 13: (1, 1), 14: (1, 1), 15: (1, 1), 16: (2, 1), 17: (1, 1),
+            18: (1, 1), 19: (1, 1), 20: (1, 1), 21: (1, 1), 22: (1, 1), 23: (1, 1), 24: (1, 1), 25: (1, 1),
+            26: (1, 1), 27: (1, 1), 28: (4, 4), 29: (6, 3), 30: (7, 3), 32: (5, 2), 33: (6, 3), 99: (8, 7),
+            100: (2, 2), 101: (1, 1), 125: (1, 1), 126: (1, 1),
         }  # fmt: skip

@@ -7,6 +7,7 @@ Programs see what the firmware computes from raw readings: percent, values in a 
 from __future__ import annotations
 
 import math
+import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -17,7 +18,7 @@ from ev3proto.brick.parts import Part
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, Range
 from ev3proto.tables.encoding import RANGES
-from ev3proto.tables.enumerations import CONN, FORMAT_TYPES, SLOT, TYPE
+from ev3proto.tables.enumerations import CONN, DATA_FORMAT, FORMAT_TYPES, SLOT, TYPE
 
 PORTS = 4
 FIRST_MOTOR = 16
@@ -30,25 +31,31 @@ LAYERS = 4
 
 _TOUCH = TYPE.members["TYPE_TOUCH"]
 _NXT_TOUCH = TYPE.members["TYPE_NXT_TOUCH"]
-_INFRARED = TYPE.members["TYPE_IR"]
 _UART, _MOTOR = CONN.members["CONN_INPUT_UART"], CONN.members["CONN_OUTPUT_TACHO"]
-_IIC = CONN.members["CONN_NXT_IIC"]
-ANALOG = (CONN.members["CONN_INPUT_DUMB"], CONN.members["CONN_NXT_DUMB"], _MOTOR)
+_IIC, _DUMB = CONN.members["CONN_NXT_IIC"], CONN.members["CONN_INPUT_DUMB"]
+ANALOG = (_DUMB, CONN.members["CONN_NXT_DUMB"], _MOTOR)
 _COUNTING_MODE = 1
 _COUNTERS = {_TOUCH: "changes", _NXT_TOUCH: "bumps"}
 """The reading of the second mode of touch sensors."""
 
 _NOT_A_NUMBER = {number: RANGES[kind].nan for number, kind in FORMAT_TYPES.items() if kind in (DATA8, DATA16, DATA32)}
 """By DATA_FORMAT: the raw value by which a sensor reports that it has no value."""
+_FLOAT = DATA_FORMAT.members["DATA_F"]
+_CODES = dict(zip((DATA_FORMAT.members[f"DATA_{name}"] for name in ("8", "16", "32", "F")), "bhif", strict=True))
+"""By DATA_FORMAT: the code of `struct` for a raw value."""
+
 SPEED_MODE = 2
 _EDGE = 500
-_ANSWER_TIME = 20_000
 
 _UNKNOWN = DEVICE_TYPES[TYPE.members["TYPE_UNKNOWN"]]
 
-_CHANGE_TIMES = {_UART: 22_000}
-_CHANGE_TIME, _INFRARED_CHANGE_TIME = 10_000, 1_100_000
-"""Microseconds that a device is busy after a change of its mode."""
+_MILLISECOND = 1_000
+
+_UPDATE = 10_000
+"""Microseconds between two looks of the firmware at its devices; on average one is found ready after half of it."""
+
+_ANSWER_TIME = 20_000
+"""Microseconds until a UART sensor sends in a new mode, or again."""
 
 
 @dataclass
@@ -122,7 +129,22 @@ class Device:
         if self.mode == _COUNTING_MODE and self.plugged.number in _COUNTERS:
             return float(getattr(self, _COUNTERS[self.plugged.number]))
         values = self.readings.get(self.mode, (0.0,) * self.mode_data.datasets)
+        if self.type is not self.plugged and self.mode < len(self.plugged.modes):
+            values = _reread(values, self.plugged.modes[self.mode].format, self.mode_data)
         return values[dataset] if dataset < len(values) else math.nan
+
+
+def _reread(values: Sequence[float], format: int, mode: Mode) -> tuple[float, ...]:
+    """Returns what a mode of another type makes of the bytes of raw readings, which have a format."""
+    code = _CODES[format]
+    whole = code != _CODES[_FLOAT]
+    size = struct.calcsize(code)
+    data = b"".join(
+        (int(value) & ((1 << 8 * size) - 1)).to_bytes(size, "little") if whole else struct.pack(code, value)
+        for value in values
+    )
+    other = f"<{mode.datasets}{_CODES[mode.format]}"
+    return tuple(map(float, struct.unpack_from(other, data.ljust(struct.calcsize(other), b"\0"))))
 
 
 @dataclass
@@ -150,6 +172,7 @@ class Inputs(Part):
         self._outputs = outputs
         self._devices = {number: Device() for number in (*range(PORTS), *range(FIRST_MOTOR, FIRST_MOTOR + PORTS))}
         self._calibrations: dict[tuple[int, int], Calibration] = {}
+        self._brought: set[int] = set()  # types of UART sensors that were plugged in: they bring what is known of them
         self._changed = dict.fromkeys(SLOT.members.values(), 0)
         self._now = 0
 
@@ -162,6 +185,8 @@ class Inputs(Part):
         number = self._port(port)
         device = self._devices[number]
         found = DEVICE_TYPES.get(type, _UNKNOWN)
+        if found.connection == _UART:
+            self._brought.add(type)
         for mode in readings or {}:
             if not 0 <= mode < len(found.modes):
                 raise ValueError(f"type {type} has no mode {mode}; it must be 0 to {len(found.modes) - 1}")
@@ -213,20 +238,34 @@ class Inputs(Part):
         return device.is_empty or self._now < device.busy_until
 
     def keep_busy(self, device: Device) -> None:
-        """Keeps a device that can answer busy after it was written to."""
-        if device.connection in (_UART, _IIC):
+        """Keeps a device that can answer busy after it was written to, an IIC sensor until it is asked again."""
+        if device.connection == _UART:
             device.busy_until = self._now + _ANSWER_TIME
+        elif device.connection == _IIC:
+            device.busy_until = self._now + device.plugged.settling * _MILLISECOND
 
-    def select(self, device: Device, type: int, mode: int) -> None:
-        """Changes type and mode of a device that is ready; TYPE_KEEP and MODE_KEEP leave them.
+    def reset(self) -> None:
+        """Clears the counts of the sensors, and resets those that can be written to."""
+        for number in range(PORTS):
+            self._devices[number].clear_counts()
+            self.keep_busy(self._devices[number])
 
-        An EV3 touch sensor keeps its type; an unknown mode selects the type's last one.
+    def select(self, device: Device, type: int, mode: int, *, always: bool = False) -> None:
+        """Changes type and mode of a device; TYPE_KEEP and MODE_KEEP leave them.
+
+        An EV3 sensor that is known by its resistor keeps its type; an unknown mode selects the type's last one.
+
+        Args:
+            device: The device.
+            type: The type that a program takes it for.
+            mode: The mode.
+            always: Whether a device that is busy is changed, too.
         """
-        if device.is_empty or self.is_busy(device):
+        if device.is_empty or (self.is_busy(device) and not always):
             return
         mode = device.mode if mode == TYPE.members["MODE_KEEP"] else mode
-        found = device.type if type == TYPE.members["TYPE_KEEP"] else DEVICE_TYPES.get(type, _UNKNOWN)
-        if device.plugged.number == _TOUCH and 0 <= mode < len(device.plugged.modes):
+        found = device.type if type == TYPE.members["TYPE_KEEP"] else self._known(type)
+        if device.connection == _DUMB and 0 <= mode < len(device.plugged.modes):
             found = device.plugged
         mode = mode if 0 <= mode < len(found.modes) else len(found.modes) - 1
         if (found, mode) == (device.type, device.mode):
@@ -235,15 +274,19 @@ class Inputs(Part):
         if device.motor is not None:
             device.motor.set_type(found.number)
         self._count_change(found)
-        if device.plugged.number == _INFRARED:
-            pause = _INFRARED_CHANGE_TIME
-        else:
-            pause = _CHANGE_TIMES.get(device.connection, _CHANGE_TIME)
-        device.busy_until = self._now + pause
+        pause = found.settling * _MILLISECOND + _UPDATE // 2
+        device.busy_until = self._now + max(pause, _UPDATE, _ANSWER_TIME if device.connection == _UART else 0)
+
+    def _known(self, number: int) -> DeviceType:
+        """Returns a type that the firmware knows; that of a UART sensor only if one was plugged in."""
+        found = DEVICE_TYPES.get(number, _UNKNOWN)
+        return _UNKNOWN if found.connection == _UART and number not in self._brought else found
 
     def raw(self, device: Device, dataset: int) -> float:
-        """Returns a raw reading; NaN while the device is not ready."""
-        return math.nan if self.is_busy(device) else device.raw(dataset)
+        """Returns a raw reading; NaN while the device is not ready, which a motor is as soon as it is read."""
+        if device.is_empty or (self.is_busy(device) and device.motor is None):
+            return math.nan
+        return device.raw(dataset)
 
     def si(self, device: Device, dataset: int) -> float:
         """Returns a reading in the unit of the mode; NaN while the device is not ready."""
@@ -267,11 +310,6 @@ class Inputs(Part):
     def types(self) -> list[int]:
         """Returns the types on all ports of the daisy chain."""
         return [self._devices.get(number, _NOTHING).type.number for number in range(DEVICES)]
-
-    def clear(self) -> None:
-        """Clears the counts of all devices."""
-        for device in self._devices.values():
-            device.clear_counts()
 
     # Calibration
 

@@ -143,7 +143,7 @@ def _waits(format: int) -> Callable[[Machine, int, int, int, int, list[Place]], 
     def read(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
         device = _found(vm, layer, number)
         if not device.is_empty:
-            vm.brick.inputs.select(device, type, mode)
+            vm.brick.inputs.select(device, type, mode, always=True)
             if vm.brick.inputs.is_busy(device):
                 raise Busy
         _write(vm, device, format, places)
@@ -211,9 +211,10 @@ def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, d
 
 @handles("INPUT_DEVICE.CLR_ALL")
 def clear_all(vm: Machine, layer: int) -> None:
-    """Clears the counts of sensors and motors."""
+    """Clears the counts of sensors and motors, and the buttons' flags; resets sensors that can be written to."""
     if layer <= 0:
-        vm.brick.inputs.clear()
+        vm.brick.inputs.reset()
+        vm.brick.buttons.flush()
         for motor in vm.brick.outputs.freed(0, (1 << PORTS) - 1):
             motor.reset()
             motor.clear_count()

@@ -52,7 +52,7 @@ def _facts() -> dict[str, Any]:
             ],
         }
         for number, device in sorted(DEVICE_TYPES.items())
-        if number != TYPE.members["TYPE_UNKNOWN"]
+        if number in _NAMES and number != TYPE.members["TYPE_UNKNOWN"]
     ]
     leds = {number: name for name, number in LEDPATTERN.members.items()}
     return {"types": types, "none": _NONE, "leds": leds, "deviations": DEVIATIONS}

@@ -16,6 +16,8 @@ from ev3proto.generate.everything import COMMAND, outdated, write, write_modules
 from ev3proto.generate.pages import python_api
 from ev3proto.generate.pages.build import FOLDER
 from ev3proto.generate.pages.markdown import block, page, table
+from ev3proto.generate.tables_json.build import TABLES_NAME
+from ev3proto.tables import clashes
 
 _OF_THE_PROJECT = ("pyproject.toml", "dissector", "exports")
 """Parts of the project's folder that an installed package does not have."""
@@ -75,6 +77,15 @@ def _commands(command: click.Command, context: click.Context) -> Iterator[tuple[
                 yield from _commands(below, inner)
 
 
+def _used_twice(root: Path) -> Iterator[str]:
+    """Yields a sentence for each number that is used twice; the tables that were exported last tell which is new."""
+    exported = root / "exports" / TABLES_NAME
+    before = exported.read_text(encoding="utf-8") if exported.is_file() else ""
+    for number, names in clashes():
+        old, new = sorted(names, key=lambda name: f'"{name.rpartition(".")[2]}"' not in before)
+        yield f"{number} is already {old}: give {new} a number that is free"
+
+
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
 @click.option(
@@ -88,6 +99,9 @@ def main(check: bool, root: Path | None) -> None:
         root = Path(__file__).parents[2]
         if not any((root / name).exists() for name in _OF_THE_PROJECT):
             raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
+    if found := list(_used_twice(root)):
+        click.echo("\n".join(found), err=True)
+        sys.exit(1)
     if not check:
         try:
             # The pages and the command line import these modules, so they are written first.
@@ -99,10 +113,10 @@ def main(check: bool, root: Path | None) -> None:
             click.echo(f"{error.filename}: cannot be written: {error.strerror}", err=True)
             sys.exit(1)
         return
-    found = list(outdated(root, reference_pages()))
-    for path in found:
+    old = list(outdated(root, reference_pages()))
+    for path in old:
         click.echo(f"{path} is out of date: run {COMMAND}", err=True)
-    sys.exit(1 if found else 0)
+    sys.exit(1 if old else 0)
 
 
 if __name__ == "__main__":

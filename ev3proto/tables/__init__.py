@@ -7,6 +7,7 @@ opcode with its CMD), `find` looks one up by its written name.
 from __future__ import annotations
 
 from functools import cache
+from typing import NamedTuple
 
 from ev3proto.tables.branch import BRANCH
 from ev3proto.tables.com import COM
@@ -54,6 +55,31 @@ def operations(dialect: str = "official") -> dict[str, Declaration]:
     """Returns the operations of one dialect by name (`SOUND.TONE`, `UI_FLUSH`). ValueError for an unknown dialect."""
     check_dialect(dialect)
     return {entry.name: entry for entry in declarations(OPCODES) if dialect in entry.dialects}
+
+
+class Clash(NamedTuple):
+    """A number that two opcodes of a dialect have, or two CMDs of a family."""
+
+    number: str
+    names: tuple[str, str]
+
+
+def clashes() -> list[Clash]:
+    """Returns the numbers that are used twice."""
+    found: dict[Clash, None] = {}
+    for dialect in DIALECTS:
+        opcodes: dict[int, Opcode] = {}
+        known: dict[tuple[int, int | None], Declaration] = {}
+        for entry in declarations(OPCODES):
+            if dialect not in entry.dialects:
+                continue
+            opcode, cmd = entry.opcode, None if entry.command is None else entry.command.number
+            holder, other = opcodes.setdefault(opcode.number, opcode), known.setdefault((opcode.number, cmd), entry)
+            if holder is not opcode:
+                found[Clash(f"0x{opcode.number:02X}", (holder.name, opcode.name))] = None
+            elif other is not entry:
+                found[Clash(f"CMD {cmd}", (other.name, entry.name))] = None
+    return list(found)
 
 
 @cache

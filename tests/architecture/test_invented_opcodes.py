@@ -15,12 +15,16 @@ from support.cli import run_program
 from support.wireshark import Tshark
 
 from ev3proto.generate.captures import write_pcapng
+from ev3proto.tables import OPCODES
 
 ROOT = Path(__file__).parents[2]
 
-ENTRIES = """
+FREE, OTHER, *_ = (number for number in range(0x100) if all(number != opcode.number for opcode in OPCODES))
+"""Numbers that no opcode has."""
+
+ENTRIES = f"""
     Opcode(
-        0xB8,
+        {FREE},
         "TIMER_LAP",
         "Notes the time of a lap",
         (
@@ -29,7 +33,7 @@ ENTRIES = """
         ),
     ),
     Opcode(
-        0xB9,
+        {OTHER},
         "WATCH",
         "Works with stopwatches",
         commands=(
@@ -48,7 +52,7 @@ ENTRIES = """
 )
 """
 
-FRAME = "0f000700000c00b80360b9020264b90101"
+FRAME = f"0f000700000c00{FREE:02x}0360{OTHER:02x}020264{OTHER:02x}0101"
 """TIMER_LAP 3 into GV(0), WATCH LAPS 2 into GV(4), WATCH STOP 1, with 12 bytes of global memory."""
 
 USER = """
@@ -99,12 +103,12 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
-def _run(root: Path, *arguments: str) -> str:
-    """The output of Python that imports from the copy first."""
+def _run(root: Path, *arguments: str, status: int = 0) -> str:
+    """The output of Python that imports from the copy first; what it says of a failure."""
     variables = {"PYTHONPATH": str(root), "PYTHONDONTWRITEBYTECODE": "1"}
     done = run_program(sys.executable, *arguments, cwd=root, env=variables)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    assert done.returncode == status, done.stderr
+    return done.stderr if status else done.stdout
 
 
 def test_the_package_knows_them(copy: Path) -> None:
@@ -122,8 +126,35 @@ def test_the_package_knows_them(copy: Path) -> None:
     assert "Reads the times of laps." in known["help"]
 
 
+@pytest.mark.parametrize(
+    ("written", "instead", "sentence"),
+    [
+        (f"{FREE},", "0x97,", "0x97 is already INPUT_SAMPLE: give TIMER_LAP a number that is free\n"),
+        (f"{OTHER},", "0x94,", "0x94 is already SOUND: give WATCH a number that is free\n"),
+        (
+            '2,\n                "LAPS"',
+            '1,\n                "LAPS"',
+            "CMD 1 is already WATCH.STOP: give WATCH.LAPS a number that is free\n",
+        ),
+    ],
+)
+def test_a_number_that_is_taken_is_named_before_anything_is_written(
+    copy: Path, tmp_path: Path, written: str, instead: str, sentence: str
+) -> None:
+    root = tmp_path / "project"
+    shutil.copytree(copy, root)
+    table = root / "ev3proto" / "tables" / "timer.py"
+    source = table.read_text()
+    assert source.count(written) == 1
+    table.write_text(source.replace(written, instead))
+    shutil.copytree(ROOT / "exports", root / "exports", dirs_exist_ok=True)
+    (root / "dissector" / "ev3.lua").unlink()
+    assert _run(root, "-m", "ev3proto.generate", status=1) == sentence
+    assert not (root / "dissector" / "ev3.lua").exists()
+
+
 def test_the_command_line_knows_them(copy: Path) -> None:
-    assert "0xB9" in _run(copy, "-m", "ev3proto", "ops", "WATCH")
+    assert f"0x{OTHER:02X}" in _run(copy, "-m", "ev3proto", "ops", "WATCH")
     shown = _run(copy, "-m", "ev3proto", "decode", FRAME)
     assert "WATCH" in shown
     assert "LAPS" in shown

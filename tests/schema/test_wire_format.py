@@ -6,12 +6,24 @@ They agree if they find the same values, build the same bytes, and refuse the sa
 from __future__ import annotations
 
 import copy
+import io
 import pickle
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
-from construct import Bytes, Construct, ConstructError, GreedyBytes, GreedyRange, Select, Struct, Terminated
+from construct import (
+    Bytes,
+    Construct,
+    ConstructError,
+    GreedyBytes,
+    GreedyRange,
+    Select,
+    SizeofError,
+    Struct,
+    Terminated,
+)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
@@ -418,6 +430,35 @@ def test_agreement_on_system_and_daisy_messages(drawn: SearchStrategy[ev3proto.M
         assert_agreement(len(contents).to_bytes(2, "little") + contents, "official")
 
     check()
+
+
+def test_what_compiles() -> None:
+    """As docs/construct.md says: operations without a list at their end."""
+    refused = set()
+    for name, arguments in OPERATIONS.items():
+        try:
+            arguments.compile()
+        except SyntaxError:
+            refused.add(name)
+    assert refused == {name for name, entry in operations_of().items() if entry.tail is not None}
+    assert {"INPUT_READEXT", "ARRAY.INIT8"} <= refused
+    assert len(refused) == 12
+    with pytest.raises(SyntaxError):
+        FRAME.compile()
+    compiled, raw = OPERATIONS["SOUND.TONE"].compile(), bytes.fromhex("0182b80182e803")
+    assert compiled.parse(raw) == OPERATIONS["SOUND.TONE"].parse(raw)
+    assert compiled.build({"VOLUME": 1, "FREQUENCY": 440, "DURATION": 1000}) == raw
+
+
+def test_streams_files_and_sizes(tmp_path: Path) -> None:
+    found = FRAME.parse_stream(io.BytesIO(TONE + b"more"))
+    FRAME.build_file(found, tmp_path / "frame")
+    assert FRAME.parse_file(tmp_path / "frame") == found
+    assert (tmp_path / "frame").read_bytes() == TONE
+    assert OPERATIONS["NOP"].sizeof() == 0
+    for varying in (FRAME, OPERATIONS["SOUND.TONE"]):
+        with pytest.raises(SizeofError):
+            varying.sizeof()
 
 
 @each("name", sorted(HOME))

@@ -2959,7 +2959,11 @@ local OPERATIONS = {
             },
         ]],
     },
-    { 0x96, "SOUND_READY", "Waits until the sound has ended (forever after REPEAT or an endless tone)", [[]] },
+    {
+        0x96, "SOUND_READY",
+        "Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)",
+        [[]],
+    },
     {
         0x97, "INPUT_SAMPLE", "Reads one SI value of each of several devices, sampled in the background",
         [[
@@ -3863,7 +3867,10 @@ local OPERATIONS = {
                 range = { 0, 3 },
             },
             { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } },
-            { "TACHO", OUT, DATA32, "angle since OUTPUT_RESET", unit = "degrees" },
+            {
+                "TACHO", OUT, DATA32, "angle in the current phase of a move; about 0 after one that brakes",
+                unit = "degrees",
+            },
         ]],
     },
     {

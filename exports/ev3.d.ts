@@ -1321,7 +1321,7 @@ export declare const ops: {
    */
   SOUND_TEST(BUSY: Argument): Uint8Array;
   /**
-   * Waits until the sound has ended (forever after REPEAT or an endless tone)
+   * Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)
    */
   SOUND_READY(): Uint8Array;
   /**
@@ -1491,7 +1491,7 @@ export declare const ops: {
    * @param LAYER brick in the daisy chain, 0 is the one addressed (0 to 3)
    * @param NO port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
    * @param SPEED current speed (-100 to 100 %)
-   * @param TACHO angle since OUTPUT_RESET (degrees)
+   * @param TACHO angle in the current phase of a move; about 0 after one that brakes (degrees)
    */
   OUTPUT_READ(LAYER: Value, NO: Value, SPEED: Argument, TACHO: Argument): Uint8Array;
   /**

@@ -3443,7 +3443,9 @@ types:
       - {id: layer, type: argument(false), doc: "brick in the daisy chain, 0 is the one addressed (0 to 3)"}
       - {id: "no", type: argument(false), doc: "port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)"}
       - {id: speed, type: argument(false), doc: "current speed (-100 to 100 %)"}
-      - {id: tacho, type: argument(false), doc: angle since OUTPUT_RESET (degrees)}
+      - id: tacho
+        type: argument(false)
+        doc: "angle in the current phase of a move; about 0 after one that brakes (degrees)"
   op_output_test:
     doc: Reports whether one of the motors is still in a move that ends by itself
     seq:
@@ -4925,7 +4927,7 @@ enums:
       doc: Reports whether a sound is playing
     0x96:
       id: sound_ready
-      doc: Waits until the sound has ended (forever after REPEAT or an endless tone)
+      doc: "Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)"
     0x97:
       id: input_sample
       doc: "Reads one SI value of each of several devices, sampled in the background"

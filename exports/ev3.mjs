@@ -932,7 +932,7 @@ export const ops = Object.freeze({
   TIMER_READ_US: (TIME) => operation(Opcode.TIMER_READ_US, output("TIME", TIME)),
   /** Reports whether a sound is playing */
   SOUND_TEST: (BUSY) => operation(Opcode.SOUND_TEST, output("BUSY", BUSY)),
-  /** Waits until the sound has ended (forever after REPEAT or an endless tone) */
+  /** Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file) */
   SOUND_READY: () => operation(Opcode.SOUND_READY),
   /** Reads one SI value of each of several devices, sampled in the background */
   INPUT_SAMPLE: (TIME, SAMPLES, INIT, DEVICES, TYPES, MODES, DATASETS, VALUES) => operation(

@@ -2496,7 +2496,7 @@ enum {
      */
     opSOUND_TEST = 0x95,
 
-    /* Waits until the sound has ended (forever after REPEAT or an endless tone) */
+    /* Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file) */
     opSOUND_READY = 0x96,
 };
 
@@ -2967,7 +2967,7 @@ enum {
      *   LAYER  DATA8       brick in the daisy chain, 0 is the one addressed (0 to 3)
      *   NO     DATA8       port, counted from 0 (0 to 3; 0: A; 1: B; 2: C; 3: D)
      *   SPEED  out DATA8   current speed (-100 to 100 %)
-     *   TACHO  out DATA32  angle since OUTPUT_RESET (degrees)
+     *   TACHO  out DATA32  angle in the current phase of a move; about 0 after one that brakes (degrees)
      */
     opOUTPUT_READ = 0xA8,
 

@@ -8,6 +8,7 @@ from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.alone import check_alone
 from ev3proto.checking.rules.arguments import check_arguments, check_lists
+from ev3proto.checking.rules.devices import check_devices
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
@@ -108,6 +109,7 @@ def _findings(context: CheckContext) -> list[Finding]:
         found += check_flow(context)
         found += check_failures(context)
         found += check_effects(context)
+        found += check_devices(context, shared)
         if context.is_alone:
             found += check_alone(context)
     elif isinstance(message, SystemCommand):

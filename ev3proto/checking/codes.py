@@ -562,6 +562,18 @@ UNUSED_MEMORY = _code(
     VOLTAGE,
 )
 
+PARTLY_WRITTEN = _code(
+    "H402",
+    "bytes of the reply that no operation writes",
+    """
+    INPUT_READ writes one byte, a percentage; the reply has room for four. A program that reads them as a float gets a
+    meaningless number: global memory is not cleared, so the other bytes are those of earlier commands. INPUT_READSI
+    writes a float; so does INPUT_DEVICE.READY_SI, while READY_PCT writes a byte.
+    """,
+    _sized("2A:00|00|04:00|9A:00:00:00:3F:60"),
+    _sized("2A:00|00|04:00|9D:00:00:00:3F:60"),
+)
+
 # 5: texts and arrays
 
 ARRAY_TOO_SHORT = _code(
@@ -746,7 +758,7 @@ SUFFIX_ADDED = _code(
     "a file name with the suffix that the firmware adds",
     """
     The firmware adds .rsf to every name of a sound file. With the suffix in the name it looks for a file such as
-    hello.rsf.rsf, finds none, and plays nothing. The reply does not report that.
+    hello.rsf.rsf, finds none, plays nothing, and stays busy. The reply does not report that.
     """,
     _sized("2A:00|80|00:00|94:02:01:84:68:2E:72:73:66:00"),
     _sized("2A:00|80|00:00|94:02:01:84:68:00"),
@@ -755,8 +767,9 @@ NOT_STARTED = _code(
     "H701",
     "a power or a speed that starts no motor",
     f"""
-    OUTPUT_POWER and OUTPUT_SPEED set how motors run; {opcode("OUTPUT_START")} makes them run. A motor that runs already
-    takes the new power or speed at once. Only `check` of a single frame says so, since another command may start it.
+    OUTPUT_POWER and OUTPUT_SPEED set how motors run; {opcode("OUTPUT_START")} makes them run. A motor that runs
+    already by the same of the two takes a new one at once. Only `check` of a single frame says so, since another
+    command may start it.
     """,
     _sized("2A:00|80|00:00|A5:00:01:1E"),
     _sized("2A:00|80|00:00|A5:00:01:1E:A6:00:01"),
@@ -785,6 +798,39 @@ PORT_OF_NEXT_BRICK = _code(
     _sized("2A:00|00|04:00|9D:00:04:00:3F:60"),
     _sized("2A:00|00|04:00|9D:00:03:00:3F:60"),
     alone=True,
+)
+
+READ_AFTER_MOVE = _code(
+    "H704",
+    "a count that a move has taken back",
+    f"""
+    OUTPUT_READ counts within a phase of a move, and each phase takes its angle off the count when it ends. So after a
+    move that brakes it is about 0, and after one that coasts it is how far the motor ran on. The angle that a motor has
+    turned is what {opcode("OUTPUT_GET_COUNT")} reads; {opcode("OUTPUT_CLR_COUNT")} sets it to 0.
+    """,
+    _sized("2A:00|00|08:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|A8:00:00:64:60"),
+    _sized("2A:00|00|04:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|B3:00:00:60"),
+)
+OTHER_DRIVE = _code(
+    "H705",
+    "a speed for a motor that runs by power",
+    f"""
+    {opcode("OUTPUT_START")} makes a motor run by the power or by the speed that was set last. From then on only the
+    same of the two changes it at once; the other one is remembered, until {opcode("OUTPUT_STOP")} and another
+    OUTPUT_START.
+    """,
+    _sized("2A:00|80|00:00|A4:00:01:1E|A6:00:01|A5:00:01:0A"),
+    _sized("2A:00|80|00:00|A5:00:01:1E|A6:00:01|A5:00:01:0A"),
+)
+MAY_WAIT_FOREVER = _code(
+    "H706",
+    "a wait for a sound file that may be missing",
+    f"""
+    A sound file that is missing or empty makes no sound, and never ends: {opcode("SOUND_READY")} waits until BREAK,
+    or until another sound has ended, and the brick answers nothing meanwhile. The sounds in ui are on every brick.
+    """,
+    _sized("2A:00|80|00:00|94:02:1E:84:2E:2E:2F:70:72:6A:73:2F:78:00|96"),
+    _sized("2A:00|80|00:00|94:02:1E:84:2E:2F:75:69:2F:43:6C:69:63:6B:00|96"),
 )
 
 # 8: system messages, and messages between bricks

@@ -2098,7 +2098,8 @@ def output_read(
         layer: Brick in the daisy chain, 0 is the one addressed; 0 to 3; DATA8.
         no: Port, counted from 0; 0 to 3; 0: A; 1: B; 2: C; 3: D; DATA8.
         speed: Current speed; -100 to 100 %; DATA8; an output, in global memory when omitted.
-        tacho: Angle since OUTPUT_RESET; degrees; DATA32; an output, in global memory when omitted.
+        tacho: Angle in the current phase of a move; about 0 after one that brakes; degrees; DATA32; an output, in
+            global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["OUTPUT_READ"].draft((layer, no, speed, tacho), unchecked)
@@ -2331,7 +2332,7 @@ def sound_test(busy: Output = None, *, unchecked: bool = False) -> Draft:
 
 
 def sound_ready(*, unchecked: bool = False) -> Draft:
-    """Waits until the sound has ended (forever after REPEAT or an endless tone)."""
+    """Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)."""
     return _OPERATIONS["SOUND_READY"].draft((), unchecked)
 
 

@@ -179,7 +179,7 @@ class Parameter(NamedTuple):
     counts     for lists: it is the count itself, and the values follow it; else the parameter before it is the count
     validated  the type that the firmware's validator assumes, where that differs from `type`
     most       for texts: largest number of bytes, the zero included, where the firmware has a limit
-    note       where and why the entry differs from other published tables
+    note       what else to know, such as where and why other published tables differ
     role       what else depends on it, or None
     indexed_by  for arrays of which one element is used: the parameter that gives its index
     stores     the operation writes that element, not the first byte of the variable
@@ -307,7 +307,7 @@ class Command(NamedTuple):
     text        one line of description
     parameters  the parameters after it
     dialects    the firmwares that have it
-    note        where and why the entry differs from other published tables
+    note        what else to know, such as where and why other published tables differ
     effects     its side effects
     newer       unknown to the validator of the release of 2013
     sentence    what it does with its arguments, for people: `{NAME}` is a value, `{A+B}` a sum; a clause in brackets is

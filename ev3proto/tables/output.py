@@ -121,6 +121,7 @@ OUTPUT = (
         "Sets the tacho counts that moves and OUTPUT_READ use to zero",
         (LAYER, NOS),
         effects=(Effect.SETS_MOTORS,),
+        note="a phase of a move in progress starts over; a synchronous move ends, and both motors coast",
         sentence="resets the counts of {NOS}",
     ),
     Opcode(
@@ -137,6 +138,7 @@ OUTPUT = (
         "Sets the power of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, POWER),
         effects=(Effect.SETS_MOTORS, Effect.AWAITS_START),
+        note="a motor that runs by speed goes on as before, until OUTPUT_STOP and OUTPUT_START",
         sentence="sets the power of {NOS} to {POWER}",
     ),
     Opcode(
@@ -145,6 +147,7 @@ OUTPUT = (
         "Sets the speed of motors, which run at the next OUTPUT_START",
         (LAYER, NOS, SPEED),
         effects=(Effect.SETS_MOTORS, Effect.AWAITS_START),
+        note="a motor that runs by power goes on as before, until OUTPUT_STOP and OUTPUT_START",
         sentence="sets the speed of {NOS} to {SPEED}",
     ),
     Opcode(
@@ -153,6 +156,7 @@ OUTPUT = (
         "Starts motors with the power or speed set before",
         (LAYER, NOS),
         effects=(Effect.RUNS_MOTORS, Effect.STARTS_MOTORS),
+        note="nothing changes for a motor that runs; after a move by speed a motor creeps until power or speed is set",
         sentence="starts {NOS}",
     ),
     Opcode(
@@ -171,6 +175,8 @@ OUTPUT = (
             ),
         ),
         effects=(Effect.SETS_MOTORS,),
+        note="the power that was set is put out at once, also without OUTPUT_START; a move in progress may not end, and"
+        " synchronous moves ignore it",
         sentence="sets the direction of {NOS} to {POL}",
     ),
     Opcode(
@@ -181,8 +187,10 @@ OUTPUT = (
             LAYER,
             NO,
             Out("SPEED", DATA8, "current speed", unit="%", range=(-100, 100)),
-            Out("TACHO", DATA32, "angle since OUTPUT_RESET", unit="degrees"),
+            Out("TACHO", DATA32, "angle in the current phase of a move; about 0 after one that brakes", unit="degrees"),
         ),
+        note="each phase of a move takes its angle off the count; a motor that coasts leaves how far it ran on."
+        " OUTPUT_GET_COUNT reads the angle that a motor has turned",
         effects=(Effect.VARIES, Effect.READS),
         sentence="reads speed and count of {NO}",
     ),
@@ -208,7 +216,7 @@ OUTPUT = (
         "Reports the position of motors; documented, but not implemented by any firmware",
         (LAYER, NOS, Out("POS", DATA32, "position", unit="degrees")),
         dialects=UNRELEASED,
-        note="OUTPUT_GET_COUNT reads the position of a motor as a sensor, OUTPUT_READ that since the last reset",
+        note="OUTPUT_GET_COUNT reads the position of a motor as a sensor, OUTPUT_READ that in the current move",
     ),
     limited(0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power", POWER, TACHO_LIMITS),
     limited(0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power", POWER, TIME_LIMITS),

@@ -12,6 +12,14 @@ NAME = In(
     suffix=".rsf",
 )
 
+FILE_NOTE = (
+    "a file that is missing or empty is silent, and keeps the brick playing until BREAK or another sound has ended; all"
+    " files are played at 8000 samples a second"
+)
+
+OWN_FOLDERS = ("./ui/", "ui/", "../sys/ui/", "/home/root/lms2012/sys/ui/")
+"""Beginnings of the names of the sounds that are on every brick."""
+
 SOUND = (
     Opcode(
         0x94,
@@ -50,6 +58,7 @@ SOUND = (
                 "Plays a sound file once and returns at once",
                 (VOLUME, NAME),
                 effects=(Effect.STARTS_SOUND,),
+                note=FILE_NOTE,
                 sentence="plays the sound file {NAME} once[ at volume {VOLUME}|, {VOLUME}]",
             ),
             Command(
@@ -58,6 +67,7 @@ SOUND = (
                 "Plays a sound file over and over until BREAK and returns at once",
                 (VOLUME, NAME),
                 effects=(Effect.STARTS_SOUND,),
+                note=FILE_NOTE,
                 sentence="plays the sound file {NAME} over and over[ at volume {VOLUME}|, {VOLUME}]",
             ),
             Command(
@@ -78,7 +88,7 @@ SOUND = (
     Opcode(
         0x96,
         "SOUND_READY",
-        "Waits until the sound has ended (forever after REPEAT or an endless tone)",
+        "Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)",
         effects=(Effect.WAITS, Effect.AWAITS_SOUND, Effect.COMPUTES),
         sentence="waits until the sound has ended",
     ),

@@ -1,0 +1,139 @@
+"""Hints about motors, sounds and readings that do something else than a sender expects.
+
+Each rule knows some operations by their names or effects; another one that may change the matter ends its knowledge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ev3proto.checking import codes
+from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.report import Finding
+from ev3proto.messages import DirectCommand
+from ev3proto.semantics.footprint import Footprint, Taken, whole_number
+from ev3proto.tables.declaration import Effect, Role
+from ev3proto.tables.output import PORTS
+from ev3proto.tables.sound import OWN_FOLDERS
+
+_LARGER = {"INPUT_READ": "INPUT_READSI", "INPUT_DEVICE.READY_PCT": "INPUT_DEVICE.READY_SI"}
+"""Operations that write the same in one byte and as a float, which programs confuse."""
+
+_FLOAT = 4
+_DRIVES = ("OUTPUT_POWER", "OUTPUT_SPEED")
+
+Port = tuple[int, int]
+"""A layer of the daisy chain, and the number of a motor port."""
+
+
+def check_devices(context: CheckContext, shared: list[tuple[CheckedOperation, Footprint]]) -> Iterator[Finding]:
+    """Checks the operations of a direct command; `shared` are their variables in global memory."""
+    if not context.is_whole:
+        return
+    if not context.effects.isdisjoint((Effect.STARTS_MOVE, Effect.STARTS_MOTORS)):
+        yield from _reads_after_moves(context.operations)
+        yield from _other_drives(context.operations)
+    if Effect.AWAITS_SOUND in context.effects:
+        yield from _waits_for_files(context.operations)
+    if any(operation.name in _LARGER for operation, _ in shared):
+        yield from _partly_written(context.message, shared)
+
+
+def _motors(operation: CheckedOperation) -> list[Port] | None:
+    """Returns the motor ports of an operation; None if they are not known."""
+    known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
+    layer, mask, number = (known.get(role) for role in (Role.LAYER, Role.MOTORS, Role.MOTOR))
+    if layer is None or (mask is None and number is None):
+        return None
+    return [(layer, port) for port in PORTS if port == number or (mask is not None and mask & 1 << port)]
+
+
+def _forget(found: dict[Port, CheckedOperation], ports: list[Port] | None) -> None:
+    """Removes what is known of some ports; of all if they are not known."""
+    for port in list(found) if ports is None else ports:
+        found.pop(port, None)
+
+
+def _reads_after_moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    moved: dict[Port, CheckedOperation] = {}
+    for operation in operations:
+        ports = _motors(operation)
+        if operation.has(Effect.STARTS_MOVE):
+            moved.update(dict.fromkeys(ports or (), operation))
+        elif operation.name == "OUTPUT_READ":
+            for move in [moved[port] for port in ports or () if port in moved]:
+                yield operation.finding(
+                    codes.READ_AFTER_MOVE,
+                    f"{move.name} at offset {move.start} takes its angle off this count: after the move it is about 0,"
+                    " or how far the motor ran on",
+                    f"use {codes.opcode('OUTPUT_GET_COUNT')} for the angle that the motor has turned",
+                )
+        elif _drives(operation):
+            _forget(moved, ports)
+
+
+def _drives(operation: CheckedOperation) -> bool:
+    """Returns whether an operation changes how motors turn."""
+    return any(map(operation.has, (Effect.STOPS_MOTORS, Effect.SETS_MOTORS, Effect.RUNS_MOTORS)))
+
+
+def _other_drives(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    chosen: dict[Port, CheckedOperation] = {}
+    running: dict[Port, CheckedOperation] = {}
+    for operation in operations:
+        ports = _motors(operation)
+        if operation.name in _DRIVES:
+            others = [running[port] for port in ports or () if port in running and running[port].name != operation.name]
+            for other in others[:1]:
+                yield operation.finding(
+                    codes.OTHER_DRIVE,
+                    f"the motor runs by {other.name} at offset {other.start}, which {operation.name} does not change",
+                    f"use {codes.opcode(other.name)}, or {codes.opcode('OUTPUT_STOP')} before, and"
+                    f" {codes.opcode('OUTPUT_START')} after it",
+                )
+            chosen.update({port: operation for port in ports or () if port not in running})
+        elif operation.has(Effect.STARTS_MOTORS):
+            running.update({port: chosen[port] for port in ports or () if port in chosen and port not in running})
+        elif operation.has(Effect.STOPS_MOTORS) or operation.has(Effect.STARTS_MOVE):
+            _forget(running, ports)
+            _forget(chosen, ports)
+
+
+def _waits_for_files(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    file: bytes | str | None = None
+    for operation in operations:
+        if operation.has(Effect.STARTS_SOUND):
+            values = [argument.value for argument in operation.arguments if argument.parameter.suffix]
+            file = values[0] if values and isinstance(values[0], str | bytes) else None
+        elif operation.has(Effect.ENDS_SOUND):
+            file = None
+        elif operation.has(Effect.AWAITS_SOUND) and file is not None:
+            name = file.decode("latin-1") if isinstance(file, bytes) else file
+            if not name.startswith(OWN_FOLDERS):
+                yield operation.finding(
+                    codes.MAY_WAIT_FOREVER,
+                    f"{operation.name} never ends if {name!r} is missing on the brick",
+                    "make sure that the file is there, or leave the wait out",
+                )
+            file = None
+
+
+def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footprint]]) -> Iterator[Finding]:
+    assert isinstance(message, DirectCommand)
+    # More memory than that is a finding of its own.
+    if not message.wants_reply or message.global_size >= max(place.end for _, place in shared) + _FLOAT:
+        return
+    taken = Taken((place.start, place.end) for _, place in shared)
+    for operation, place in shared:
+        end = place.start + _FLOAT
+        larger = _LARGER.get(operation.name)
+        if larger is None or not place.facts.is_written or place.size != 1 or place.start % _FLOAT:
+            continue
+        if end <= message.global_size and not taken.has_some_of(place.start + 1, end):
+            yield operation.finding_at(
+                codes.PARTLY_WRITTEN,
+                place.argument,
+                f"{operation.name} writes one byte; bytes {place.start + 1} to {end - 1} of the reply are written by no"
+                " operation",
+                f"use {larger} for a float, or read one byte",
+            )

@@ -248,19 +248,24 @@ local OPERATIONS = {
             {
                 "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT,
                 special = { [0] = "all programs", [-1] = "the calling program" },
+                outside = { ", which is not in SLOT", "W304" },
             },
         ]],
     },
     {
         0x03, "PROGRAM_START", "Starts a loaded program; a direct command can do this only while no user program runs",
         [[
-            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                outside = { ", which is not in SLOT", "W304" },
+            },
             { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
             { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" },
             {
                 "DEBUG", IN, DATA8, "how to run it",
                 special = { [0] = "run", [1] = "debug", [2] = "load, do not run" },
                 range = { 0, 2 },
+                outside = { ", outside of 0 to 2", "W303" },
             },
         ]],
     },
@@ -300,46 +305,69 @@ local OPERATIONS = {
             {
                 0, "OBJ_STOP", "Stops an object of a running program",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "OBJID", IN, DATA16, "object of the program, counted from 1" },
                 ]],
             },
             {
                 4, "OBJ_START", "Starts an object of a running program from its beginning",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "OBJID", IN, DATA16, "object of the program, counted from 1" },
                 ]],
             },
             {
                 22, "GET_STATUS", "Asks whether a program runs",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "DATA", OUT, DATA8, "state of the program", enum = ENUMERATIONS.OBJSTAT },
                 ]],
             },
             {
                 23, "GET_SPEED", "Asks for a program's speed",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" },
                 ]],
             },
             {
                 24, "GET_PRGRESULT", "Asks how a program ended",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "DATA", OUT, DATA8, "OK, BUSY (still running) or FAIL", enum = ENUMERATIONS.RESULT },
                 ]],
             },
             {
                 25, "SET_INSTR", "Sets how many instructions the calling thread may still run in its time slice",
-                [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT } ]],
+                [[
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
+                ]],
             },
             {
                 26, "GET_PRGNAME", "Asks for the name of a program",
                 [[
-                    { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "NAME", OUT, STRING, "name of the program, zero-terminated" },
                 ]],
                 dialects = { "xtended", "compat" },
@@ -353,20 +381,27 @@ local OPERATIONS = {
     {
         0x0E, "PROBE", "Prints a program's memory on the brick's debug terminal",
         [[
-            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                outside = { ", which is not in SLOT", "W304" },
+            },
             { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
             { "OFFSET", IN, DATA32, "first byte", unit = "bytes" },
             {
                 "SIZE", IN, DATA32, "number of bytes to print", unit = "bytes",
                 special = { [0] = "all, 1024 at most" },
                 range = { 0, 1024 },
+                outside = { " bytes, outside of 0 to 1024 bytes", "W303" },
             },
         ]],
     },
     {
         0x0F, "DO", "Runs byte code that is already in memory, ending the slot's previous program",
         [[
-            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                outside = { ", which is not in SLOT", "W304" },
+            },
             { "IMAGE", IN, DATA32, "address of the byte code image" },
             { "GLOBAL", IN, DATA32, "address of the global memory it uses" },
         ]],
@@ -437,7 +472,13 @@ local OPERATIONS = {
             },
             {
                 5, "SET_VOLUME", "Changes the volume setting",
-                [[ { "VALUE", IN, DATA8, "volume", unit = "%", range = { 0, 100 } } ]],
+                [[
+                    {
+                        "VALUE", IN, DATA8, "volume", unit = "%",
+                        range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "W303" },
+                    },
+                ]],
             },
             {
                 6, "GET_MINUTES", "Reads the idle time after which the brick powers off",
@@ -448,7 +489,12 @@ local OPERATIONS = {
             {
                 7, "SET_MINUTES", "Changes the idle time after which the brick powers off",
                 [[
-                    { "VALUE", IN, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 } },
+                    {
+                        "VALUE", IN, DATA8, "idle time", unit = "min",
+                        special = { [0] = "never" },
+                        range = { 0, 120 },
+                        outside = { " min, outside of 0 to 120 min", "W303" },
+                    },
                 ]],
             },
         },
@@ -556,11 +602,15 @@ local OPERATIONS = {
     {
         0x8C, "BP_SET", "Sets or removes a breakpoint in a running program",
         [[
-            { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT },
+            {
+                "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT,
+                outside = { ", which is not in SLOT", "W304" },
+            },
             {
                 "NO", IN, DATA8, "number of the breakpoint",
                 special = { [3] = "pulse on test pin TP4, no stop" },
                 range = { 0, 2 },
+                outside = { ", outside of 0 to 2 or 3 (pulse on test pin TP4, no stop)", "W303" },
             },
             {
                 "ADDRESS", IN, DATA32, "offset in the image", unit = "bytes",
@@ -571,7 +621,12 @@ local OPERATIONS = {
     {
         0xF0, "DYNLOAD_VMLOAD", "Loads an additional virtual machine; fails while another one is loaded",
         [[
-            { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 } },
+            {
+                "VMINDEX", IN, DATA8, "which one",
+                special = { [0] = "RobotC", [1] = "LabVIEW" },
+                range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
+            },
             { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
@@ -699,6 +754,7 @@ local OPERATIONS = {
                     {
                         "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "LENGTH", IN, DATA8, "number of pins to read, usually 5" },
                     { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" },
@@ -710,6 +766,7 @@ local OPERATIONS = {
                     {
                         "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D",
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "LENGTH", IN, DATA8, "number of pins to set, usually 5" },
                     {
@@ -729,6 +786,7 @@ local OPERATIONS = {
                             [15] = "battery voltage",
                         },
                         range = { 0, 15 },
+                        outside = { ", outside of 0 to 15", "W303" },
                     },
                     { "VALUE", OUT, DATA16, "raw reading", unit = "counts", range = { 0, 4095 } },
                 ]],
@@ -736,22 +794,44 @@ local OPERATIONS = {
             {
                 15, "TST_WRITE_UART", "Sends bytes on a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 } },
-                    { "LENGTH", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 0, 63 } },
+                    {
+                        "PORT", IN, DATA8, "sensor port minus one",
+                        range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
+                    },
+                    {
+                        "LENGTH", IN, DATA8, "number of bytes to send", unit = "bytes",
+                        range = { 0, 63 },
+                        outside = { " bytes, outside of 0 to 63 bytes", "W303" },
+                    },
                     { "STRING", IN, DATA8, "the bytes", length = "LENGTH" },
                 ]],
             },
             {
                 16, "TST_READ_UART", "Reads the bytes received on a sensor port's serial line",
                 [[
-                    { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 } },
-                    { "LENGTH", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 63 } },
+                    {
+                        "PORT", IN, DATA8, "sensor port minus one",
+                        range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
+                    },
+                    {
+                        "LENGTH", IN, DATA8, "number of bytes to read", unit = "bytes",
+                        range = { 0, 63 },
+                        outside = { " bytes, outside of 0 to 63 bytes", "W303" },
+                    },
                     { "STRING", OUT, DATA8, "the bytes, padded with zeros", length = "LENGTH" },
                 ]],
             },
             {
                 17, "TST_ENABLE_UART", "Switches the serial lines of all sensor ports on",
-                [[ { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s", range = { 2400, 115200 } } ]],
+                [[
+                    {
+                        "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s",
+                        range = { 2400, 115200 },
+                        outside = { " bit/s, outside of 2400 to 115200 bit/s", "W303" },
+                    },
+                ]],
             },
             { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off", [[]] },
             {
@@ -771,13 +851,20 @@ local OPERATIONS = {
                     {
                         "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT,
                         range = { 0, 2 },
+                        is_ranged = true,
                     },
                 ]],
             },
             { 22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", [[]] },
             {
                 23, "TST_RAM_CHECK", "Asks for the result of the memory test at power-on",
-                [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 } } ]],
+                [[
+                    {
+                        "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT,
+                        range = { 0, 2 },
+                        is_ranged = true,
+                    },
+                ]],
             },
         },
     },
@@ -1063,11 +1150,17 @@ local OPERATIONS = {
             },
             {
                 14, "ASIN", "Finds the angle that has a sine",
-                [[ { "X", IN, DATAF, "sine", range = { -1, 1 } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
+                [[
+                    { "X", IN, DATAF, "sine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "W303" } },
+                    { "R", OUT, DATAF, "angle", unit = "degrees" },
+                ]],
             },
             {
                 15, "ACOS", "Finds the angle that has a cosine",
-                [[ { "X", IN, DATAF, "cosine", range = { -1, 1 } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]],
+                [[
+                    { "X", IN, DATAF, "cosine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "W303" } },
+                    { "R", OUT, DATAF, "angle", unit = "degrees" },
+                ]],
             },
             {
                 16, "ATAN", "Finds the angle that has a tangent",
@@ -1109,7 +1202,11 @@ local OPERATIONS = {
                 21, "TRUNC", "Cuts off decimals without rounding",
                 [[
                     { "X", IN, DATAF, "number to work on" },
-                    { "P", IN, DATA8, "number of decimals to keep (at most 6 are available)", range = { 0, 9 } },
+                    {
+                        "P", IN, DATA8, "number of decimals to keep (at most 6 are available)",
+                        range = { 0, 9 },
+                        outside = { ", outside of 0 to 9", "W303" },
+                    },
                     { "R", OUT, DATAF, "result" },
                 ]],
             },
@@ -1199,7 +1296,11 @@ local OPERATIONS = {
         0xC8, "READ8", "Reads one element of an array of 8-bit values",
         [[
             { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", OUT, DATA8, "the element's value" },
         ]],
     },
@@ -1207,7 +1308,11 @@ local OPERATIONS = {
         0xC9, "READ16", "Reads one element of an array of 16-bit values",
         [[
             { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", OUT, DATA16, "the element's value" },
         ]],
     },
@@ -1215,7 +1320,11 @@ local OPERATIONS = {
         0xCA, "READ32", "Reads one element of an array of 32-bit values",
         [[
             { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", OUT, DATA32, "the element's value" },
         ]],
     },
@@ -1223,7 +1332,11 @@ local OPERATIONS = {
         0xCB, "READF", "Reads one element of an array of floating-point values",
         [[
             { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", OUT, DATAF, "the element's value" },
         ]],
     },
@@ -1231,7 +1344,11 @@ local OPERATIONS = {
         0xCC, "WRITE8", "Writes one element of an array of 8-bit values",
         [[
             { "SOURCE", IN, DATA8, "value to write" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1239,7 +1356,11 @@ local OPERATIONS = {
         0xCD, "WRITE16", "Writes one element of an array of 16-bit values",
         [[
             { "SOURCE", IN, DATA16, "value to write" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1247,7 +1368,11 @@ local OPERATIONS = {
         0xCE, "WRITE32", "Writes one element of an array of 32-bit values",
         [[
             { "SOURCE", IN, DATA32, "value to write" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1255,7 +1380,11 @@ local OPERATIONS = {
         0xCF, "WRITEF", "Writes one element of an array of floating-point values",
         [[
             { "SOURCE", IN, DATAF, "value to write" },
-            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 } },
+            {
+                "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" },
         ]],
     },
@@ -1911,6 +2040,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     {
                         "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4",
@@ -1949,6 +2079,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, not including the zero",
                         unit = "bytes",
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" },
                 ]],
@@ -1960,6 +2091,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" },
                 ]],
@@ -1971,6 +2103,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" },
                 ]],
@@ -1982,6 +2115,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
                 ]],
@@ -1993,6 +2127,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" },
                 ]],
@@ -2049,11 +2184,15 @@ local OPERATIONS = {
                 [[
                     { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
                     { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
-                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "LINE", IN, DATA16, "which line, counted from 1" },
                     { "DESTINATION", OUT, STRING, "the line, empty if there is no such line", length = "LENGTH" },
@@ -2066,6 +2205,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" },
                 ]],
@@ -2077,6 +2217,7 @@ local OPERATIONS = {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         special = { [-1] = "no limit" },
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "W303" },
                     },
                     { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" },
                 ]],
@@ -2139,7 +2280,7 @@ local OPERATIONS = {
             { 9, "VALUE8", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA8, "number to write" } ]] },
             {
                 10, "VALUE16", "Writes an unsigned whole number to the terminal",
-                [[ { "VALUE", IN, DATA16, "number to write", range = { -32768, 65535 } } ]],
+                [[ { "VALUE", IN, DATA16, "number to write", range = { -32767, 65535 } } ]],
             },
             {
                 11, "VALUE32", "Writes a whole number to the terminal",
@@ -2165,6 +2306,7 @@ local OPERATIONS = {
                         "STATUS", IN, DATA8, "whether drawing is ignored",
                         special = { [0] = "normal", [1] = "blocked" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2191,7 +2333,10 @@ local OPERATIONS = {
                 [[
                     { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" },
                     { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
-                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     { "SOURCE", IN, STRING, "line to append" },
                 ]],
             },
@@ -2202,6 +2347,7 @@ local OPERATIONS = {
                         "VALUE", IN, DATA8, "whether the brick counts as busy",
                         special = { [0] = "no", [1] = "yes" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2212,6 +2358,7 @@ local OPERATIONS = {
                         "STATE", IN, DATA8, "level of the pin",
                         special = { [0] = "low", [1] = "high" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2219,11 +2366,16 @@ local OPERATIONS = {
             { 26, "UPDATE_RUN", "Does nothing", [[]] },
             {
                 27, "LED", "Sets colour and blinking of the light around the buttons",
-                [[ { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN } ]],
+                [[
+                    {
+                        "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN,
+                        outside = { ", which is not in LEDPATTERN", "W304" },
+                    },
+                ]],
             },
             {
                 29, "POWER", "Sets the flag that makes the power driver switch off when the firmware ends",
-                [[ { "VALUE", IN, DATA8, "the flag", range = { 0, 1 } } ]],
+                [[ { "VALUE", IN, DATA8, "the flag", range = { 0, 1 }, outside = { ", outside of 0 to 1", "W303" } } ]],
             },
             { 30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP", [[]] },
             {
@@ -2233,6 +2385,7 @@ local OPERATIONS = {
                         "STATE", IN, DATA8, "whether the terminal is on",
                         special = { [0] = "off", [1] = "on" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2244,7 +2397,10 @@ local OPERATIONS = {
             {
                 1, "SHORTPRESS", "Reports whether a button was pressed since the last query, and clears the press",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed",
                         special = { [0] = "no", [1] = "yes" },
@@ -2255,7 +2411,10 @@ local OPERATIONS = {
             {
                 2, "LONGPRESS", "Reports whether a button was held for 3 s since the last query, and clears it",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was held for 3 s",
                         special = { [0] = "no", [1] = "yes" },
@@ -2267,11 +2426,21 @@ local OPERATIONS = {
             { 4, "FLUSH", "Clears all pending presses", [[]] },
             {
                 5, "PRESS", "Presses a button as if by hand and holds it until RELEASE",
-                [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
+                [[
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
+                ]],
             },
             {
                 6, "RELEASE", "Releases a button that PRESS holds",
-                [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE } ]],
+                [[
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
+                ]],
             },
             {
                 7, "GET_HORZ", "Reads the left and right buttons as one axis, and clears their presses",
@@ -2296,7 +2465,10 @@ local OPERATIONS = {
             {
                 9, "PRESSED", "Reports whether a button is down at the moment",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button is down",
                         special = { [0] = "no", [1] = "yes" },
@@ -2311,6 +2483,7 @@ local OPERATIONS = {
                         "BLOCKED", IN, DATA8, "whether the back button is blocked",
                         special = { [0] = "not blocked", [1] = "blocked" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2328,7 +2501,10 @@ local OPERATIONS = {
                 12, "TESTSHORTPRESS",
                 "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed",
                         special = { [0] = "no", [1] = "yes" },
@@ -2339,7 +2515,10 @@ local OPERATIONS = {
             {
                 13, "TESTLONGPRESS", "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was held for 3 s",
                         special = { [0] = "no", [1] = "yes" },
@@ -2351,7 +2530,10 @@ local OPERATIONS = {
                 14, "GET_BUMBED",
                 "Reports whether a button was pressed and released since the last query, and clears it",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed and released",
                         special = { [0] = "no", [1] = "yes" },
@@ -2364,7 +2546,10 @@ local OPERATIONS = {
                 14, "GET_BUMPED",
                 "Reports whether a button was pressed and released since the last query, and clears it",
                 [[
-                    { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE },
+                    {
+                        "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "W304" },
+                    },
                     {
                         "STATE", OUT, DATA8, "whether the button was pressed and released",
                         special = { [0] = "no", [1] = "yes" },
@@ -2397,9 +2582,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "column", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "row", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "column", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "row", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                 ]],
             },
             {
@@ -2409,11 +2603,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "column of the start", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "row of the start", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "column of the end", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "row of the end", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                 ]],
             },
             {
@@ -2423,9 +2634,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "column of the centre", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "row of the centre", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
                 ]],
             },
@@ -2436,9 +2656,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "STRING", IN, STRING, "text to draw" },
                 ]],
             },
@@ -2449,10 +2678,22 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE,
+                        outside = { ", which is not in ICONTYPE", "W304" },
+                    },
                     { "NO", IN, DATA8, "number of the icon in its set" },
                 ]],
             },
@@ -2463,9 +2704,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } },
                 ]],
             },
@@ -2476,9 +2726,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "VALUE", IN, DATAF, "number to draw" },
                     {
                         "FIGURES", IN, DATA8,
@@ -2494,11 +2753,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                 ]],
             },
             {
@@ -2508,11 +2784,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                 ]],
                 dialects = { "official" },
             },
@@ -2523,11 +2816,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                 ]],
                 dialects = { "xtended", "compat" },
             },
@@ -2538,20 +2848,32 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     {
                         "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "W304" },
                     },
                     {
                         "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "W304" },
                     },
                     {
                         "ICON3", IN, DATA8, "third large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "W304" },
                     },
                     { "STRING", IN, STRING, "text beside the icons; may be empty" },
                     {
@@ -2568,16 +2890,27 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     {
                         "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "W304" },
                     },
                     {
                         "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO,
                         special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "W304" },
                     },
                     { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" },
                     {
@@ -2599,13 +2932,26 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO,
+                        outside = { ", which is not in N_ICON_NO", "W304" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "W303" },
                     },
                     {
                         "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says",
@@ -2629,14 +2975,34 @@ local OPERATIONS = {
             {
                 14, "BROWSE", "Shows files and folders and waits until one is chosen",
                 [[
-                    { "TYPE", IN, DATA8, "what to list", enum = ENUMERATIONS.BROWSERTYPE },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "TYPE", IN, DATA8, "what to list", enum = ENUMERATIONS.BROWSERTYPE,
+                        outside = { ", which is not in BROWSERTYPE", "W304" },
+                    },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "W303" },
                     },
                     {
                         "ITEM_TYPE", OUT, DATA8, "kind of the chosen entry; the variable must be 0 at first",
@@ -2655,11 +3021,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                     { "MIN", IN, DATA16, "value at one end of the bar" },
                     { "MAX", IN, DATA16, "value at the other end of the bar" },
                     { "ACT", IN, DATA16, "value that the knob shows" },
@@ -2668,15 +3051,38 @@ local OPERATIONS = {
             {
                 16, "INVERSERECT", "Swaps black and white in a rectangle",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                 ]],
             },
             {
                 17, "SELECT_FONT", "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW",
-                [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE, range = { 0, 3 } } ]],
+                [[
+                    {
+                        "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE,
+                        range = { 0, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 0 to 3", "W303" },
+                    },
+                ]],
             },
             {
                 18, "TOPLINE", "Switches the status line at the top on or off",
@@ -2685,6 +3091,7 @@ local OPERATIONS = {
                         "ENABLE", IN, DATA8, "whether the status line is shown",
                         special = { [0] = "disabled", [1] = "enabled" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -2695,17 +3102,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
                         special = { [0] = "white", [1] = "black" },
                     },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     {
                         "Y1", IN, DATA16, "height; nothing is filled if Y0 plus it is 128 or more", unit = "px",
                         special = { [0] = "down to the bottom" },
                         range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
                     },
                 ]],
             },
             {
                 20, "SCROLL", "Moves the canvas up",
-                [[ { "Y", IN, DATA16, "distance", unit = "px", range = { 1, 127 } } ]],
+                [[
+                    {
+                        "Y", IN, DATA16, "distance", unit = "px",
+                        range = { 1, 127 },
+                        outside = { " px, outside of 1 to 127 px", "W303" },
+                    },
+                ]],
             },
             {
                 21, "DOTLINE", "Draws a dashed line between two points",
@@ -2714,11 +3132,28 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "column of the start", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "row of the start", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "column of the end", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "row of the end", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                     { "ON", IN, DATA16, "length of a dash", unit = "px" },
                     { "OFF", IN, DATA16, "length of a gap", unit = "px" },
                 ]],
@@ -2730,9 +3165,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "VALUE", IN, DATAF, "number to draw" },
                     { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
@@ -2745,15 +3189,25 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "VALUE", IN, DATAF, "number to draw" },
                     { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
                     {
                         "LENGTH", IN, DATA8, "maximum number of bytes of the unit, including the zero", unit = "bytes",
                         range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "W303" },
                     },
                     { "STRING", IN, STRING, "unit to draw after the number" },
                 ]],
@@ -2765,9 +3219,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "column of the centre", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "row of the centre", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } },
                 ]],
             },
@@ -2777,6 +3240,7 @@ local OPERATIONS = {
                     {
                         "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran",
                         range = { 0, 2 },
+                        outside = { ", outside of 0 to 2", "W303" },
                     },
                 ]],
             },
@@ -2786,6 +3250,7 @@ local OPERATIONS = {
                     {
                         "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran",
                         range = { 0, 2 },
+                        outside = { ", outside of 0 to 2", "W303" },
                     },
                 ]],
             },
@@ -2796,9 +3261,18 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour to draw in",
                         special = { [0] = "white", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     {
                         "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
                         special = { [0] = "start, or done", [1] = "being shown" },
@@ -2817,31 +3291,62 @@ local OPERATIONS = {
                         "COLOR", IN, DATA8, "colour of the set pixels",
                         special = { [0] = "white, picture inverted", [1] = "black" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
                     { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys" },
                 ]],
             },
             {
                 29, "POPUP", "Opens a window that only its opener can draw on, or closes it and restores the display",
-                [[ { "OPEN", IN, DATA8, "action", special = { [0] = "close", [1] = "open" }, range = { 0, 1 } } ]],
+                [[
+                    {
+                        "OPEN", IN, DATA8, "action",
+                        special = { [0] = "close", [1] = "open" },
+                        range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
+                    },
+                ]],
             },
             {
                 30, "GRAPH_SETUP",
                 "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "ITEMS", IN, DATA8, "number of curves", range = { 0, 8 }, validated = DATA16 },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "ITEMS", IN, DATA8, "number of curves",
+                        range = { 0, 8 },
+                        outside = { ", outside of 0 to 8", "W303" },
+                        validated = DATA16,
+                    },
                     {
                         "OFFSET", IN, DATA16, "top edge of each curve", unit = "px",
                         range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
                         length = "ITEMS",
                     },
                     {
                         "SPAN", IN, DATA16, "height of each curve", unit = "px",
                         range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
                         length = "ITEMS", validated = DATA8,
                     },
                     { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
@@ -2868,13 +3373,32 @@ local OPERATIONS = {
             {
                 32, "TEXTBOX", "Shows a text with a scroll bar and waits until a line is chosen",
                 [[
-                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 } },
-                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 } },
-                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 } },
-                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 } },
+                    {
+                        "X0", IN, DATA16, "left edge", unit = "px",
+                        range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "W303" },
+                    },
+                    {
+                        "Y0", IN, DATA16, "top edge", unit = "px",
+                        range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "W303" },
+                    },
+                    {
+                        "X1", IN, DATA16, "width", unit = "px",
+                        range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "W303" },
+                    },
+                    {
+                        "Y1", IN, DATA16, "height", unit = "px",
+                        range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "W303" },
+                    },
                     { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
                     { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
-                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     {
                         "LINE", INOUT, DATA16, "variable, must be -1 at first; then the chosen line, counted from 1",
                         special = { [-1] = "start, or closed with the back button", [0] = "being shown" },
@@ -2891,7 +3415,11 @@ local OPERATIONS = {
     {
         0x85, "TIMER_WAIT", "Stores the end of a wait and returns at once; TIMER_READY does the waiting",
         [[
-            { "TIME", IN, DATA32, "duration of the wait", unit = "ms", range = { 0, 2147483647 } },
+            {
+                "TIME", IN, DATA32, "duration of the wait", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
             { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" },
         ]],
     },
@@ -2914,22 +3442,33 @@ local OPERATIONS = {
             {
                 1, "TONE", "Plays one tone and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    {
+                        "VOLUME", IN, DATA8, "volume", unit = "%",
+                        special = { [0] = "silent" },
+                        range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "W303" },
+                    },
                     {
                         "FREQUENCY", IN, DATA16, "pitch; the driver clamps it to the range", unit = "Hz",
                         range = { 250, 10000 },
+                        outside = { " Hz, outside of 250 to 10000 Hz", "W303" },
                     },
                     {
                         "DURATION", IN, DATA16, "duration, read unsigned (-1 is 65535)", unit = "ms",
                         special = { [0] = "until BREAK or the next sound" },
-                        range = { -32768, 65535 },
+                        range = { -32767, 65535 },
                     },
                 ]],
             },
             {
                 2, "PLAY", "Plays a sound file once and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    {
+                        "VOLUME", IN, DATA8, "volume", unit = "%",
+                        special = { [0] = "silent" },
+                        range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "W303" },
+                    },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
@@ -2939,7 +3478,12 @@ local OPERATIONS = {
             {
                 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once",
                 [[
-                    { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 } },
+                    {
+                        "VOLUME", IN, DATA8, "volume", unit = "%",
+                        special = { [0] = "silent" },
+                        range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "W303" },
+                    },
                     {
                         "NAME", IN, STRING,
                         "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys",
@@ -2974,6 +3518,7 @@ local OPERATIONS = {
             {
                 "TYPES", IN, DATA8, "type to set for each device", enum = ENUMERATIONS.TYPE,
                 range = { 50, 98 },
+                outside = { ", which is not in TYPE", "W304" },
                 length = "SAMPLES",
             },
             { "MODES", IN, DATA8, "mode to set for each device", length = "SAMPLES" },
@@ -2984,7 +3529,11 @@ local OPERATIONS = {
     {
         0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
         [[
-            { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain", range = { 0, 127 } },
+            {
+                "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain",
+                range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "W303" },
+            },
             {
                 "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE,
                 range = { 50, 98 },
@@ -3007,6 +3556,7 @@ local OPERATIONS = {
                         "FORCE", IN, DATA8, "whether to replace a known type",
                         special = { [0] = "refuse a known type", [1] = "replace a known type" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                     {
                         "ERROR", OUT, DATA8, "whether it failed",
@@ -3021,6 +3571,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3029,11 +3580,13 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "DATASETS", OUT, DATA8, "number of values in one reading" },
                     {
                         "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT,
                         range = { 0, 3 },
+                        is_ranged = true,
                     },
                     { "MODES", OUT, DATA8, "number of modes of the device", range = { 1, 8 } },
                     { "VIEWS", OUT, DATA8, "number of modes shown to users", range = { 1, 8 } },
@@ -3045,8 +3598,13 @@ local OPERATIONS = {
                     {
                         "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode the calibration is for",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                     { "CAL_MIN", IN, DATA32, "raw value at the lower end" },
                     { "CAL_MAX", IN, DATA32, "raw value at full scale" },
                 ]],
@@ -3057,8 +3615,13 @@ local OPERATIONS = {
                     {
                         "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode the calibration is for",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                 ]],
             },
             {
@@ -3067,6 +3630,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3075,6 +3639,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
                     { "MODE", OUT, DATA8, "mode the device is in", range = { 0, 7 } },
@@ -3086,6 +3651,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3094,6 +3660,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
@@ -3108,8 +3675,13 @@ local OPERATIONS = {
                     {
                         "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode the calibration is for",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                     { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" },
                 ]],
             },
@@ -3119,8 +3691,13 @@ local OPERATIONS = {
                     {
                         "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE,
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode the calibration is for",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                     { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" },
                 ]],
             },
@@ -3130,23 +3707,31 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     { "REPEAT", IN, DATA8, "number of repeats", special = { [0] = "endless" } },
                     {
                         "TIME", IN, DATA16, "time between repeats", unit = "ms",
                         special = { [0] = "10 ms" },
                         range = { 10, 1000 },
+                        outside = { " ms, outside of 10 to 1000 ms or 0 (10 ms)", "W303" },
                     },
-                    { "WRITE_LEN", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
+                    {
+                        "WRITE_LEN", IN, DATA8, "number of bytes to write", unit = "bytes",
+                        range = { 0, 32 },
+                        outside = { " bytes, outside of 0 to 32 bytes", "W303" },
+                    },
                     { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
                     {
                         "READ_LEN", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes",
                         range = { -32, 32 },
+                        outside = { " bytes, outside of -32 to 32 bytes", "W303" },
                     },
                     { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" },
                 ]],
@@ -3158,6 +3743,7 @@ local OPERATIONS = {
                         "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
                         special = { [-1] = "all layers" },
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3 or -1 (all layers)", "W303" },
                     },
                 ]],
             },
@@ -3167,6 +3753,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3175,6 +3762,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "VALUE", OUT, DATA32, "raw value, NaN if there is none" },
                 ]],
@@ -3185,6 +3773,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3193,6 +3782,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN },
                 ]],
@@ -3204,16 +3794,35 @@ local OPERATIONS = {
                         "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain",
                         special = { [-1] = "all layers" },
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3 or -1 (all layers)", "W303" },
                     },
                 ]],
             },
             {
                 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
                 [[
-                    { "TYPE", IN, DATA8, "type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
-                    { "MODE", IN, DATA8, "mode of the entry", range = { 0, 7 } },
-                    { "NEWTYPE", IN, DATA8, "new type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
-                    { "NEWMODE", IN, DATA8, "new mode of the entry", range = { 0, 7 } },
+                    {
+                        "TYPE", IN, DATA8, "type of the entry", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                        is_ranged = true,
+                        outside = { ", outside of 50 to 98", "W303" },
+                    },
+                    {
+                        "MODE", IN, DATA8, "mode of the entry",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
+                    {
+                        "NEWTYPE", IN, DATA8, "new type of the entry", enum = ENUMERATIONS.TYPE,
+                        range = { 50, 98 },
+                        is_ranged = true,
+                        outside = { ", outside of 50 to 98", "W303" },
+                    },
+                    {
+                        "NEWMODE", IN, DATA8, "new mode of the entry",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                     {
                         "ERROR", OUT, DATA8, "whether it failed",
                         special = { [0] = "done", [1] = "failed or not found" },
@@ -3227,17 +3836,24 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                         special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
-                    { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
+                    {
+                        "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes",
+                        range = { 0, 32 },
+                        outside = { " bytes, outside of 0 to 32 bytes", "W303" },
+                    },
                     { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
                     {
                         "RDLNG", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes",
                         range = { -32, 32 },
+                        outside = { " bytes, outside of -32 to 32 bytes", "W303" },
                     },
                     { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
                     { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT },
@@ -3249,6 +3865,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3257,6 +3874,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
@@ -3271,6 +3889,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3279,8 +3898,13 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
-                    { "MODE", IN, DATA8, "mode to name", range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode to name",
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7", "W303" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "unlimited (handles only)" },
@@ -3294,6 +3918,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3302,11 +3927,13 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
                     { "VALUE", IN, DATA32, "raw value to simulate" },
                 ]],
@@ -3317,6 +3944,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3325,6 +3953,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "FIGURES", OUT, DATA8, "total number of characters, with point and decimals" },
                     { "DECIMALS", OUT, DATA8, "digits after the point" },
@@ -3336,6 +3965,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3344,6 +3974,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
                 ]],
@@ -3354,6 +3985,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3362,6 +3994,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                 ]],
             },
@@ -3371,6 +4004,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3379,13 +4013,20 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode to set",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+                    },
                     {
                         "VALUES", IN, COUNT, "number of values that follow, each in percent", element = DATA8,
                         elements = OUT,
@@ -3398,6 +4039,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3406,13 +4048,20 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode to set",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+                    },
                     { "VALUES", IN, COUNT, "number of raw values that follow", element = DATA32, elements = OUT },
                 ]],
             },
@@ -3422,6 +4071,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3430,13 +4080,20 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     {
                         "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                         special = { [0] = "keep the type" },
                         range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "W304" },
                     },
-                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+                    {
+                        "MODE", IN, DATA8, "mode to set",
+                        special = { [-1] = "keep the mode" },
+                        range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+                    },
                     {
                         "VALUES", IN, COUNT, "number of values that follow, each in SI units", element = DATAF,
                         elements = OUT,
@@ -3449,6 +4106,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3457,6 +4115,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "MIN", OUT, DATAF, "smallest value in SI units" },
                     { "MAX", OUT, DATAF, "largest value in SI units" },
@@ -3468,6 +4127,7 @@ local OPERATIONS = {
                     {
                         "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                         range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "W303" },
                     },
                     {
                         "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3476,6 +4136,7 @@ local OPERATIONS = {
                             [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                         },
                         range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "W303" },
                     },
                     { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" },
                 ]],
@@ -3488,6 +4149,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3496,13 +4158,20 @@ local OPERATIONS = {
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
                 range = { 0, 19 },
+                outside = { ", outside of 0 to 19", "W303" },
             },
             {
                 "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
+                outside = { ", which is not in TYPE", "W304" },
             },
-            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+            {
+                "MODE", IN, DATA8, "mode to set",
+                special = { [-1] = "keep the mode" },
+                range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+            },
             { "PCT", OUT, DATA8, "value, NaN if there is none", unit = "%" },
         ]],
     },
@@ -3512,6 +4181,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3520,6 +4190,7 @@ local OPERATIONS = {
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
                 range = { 0, 19 },
+                outside = { ", outside of 0 to 19", "W303" },
             },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
@@ -3530,6 +4201,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3538,6 +4210,7 @@ local OPERATIONS = {
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
                 range = { 0, 19 },
+                outside = { ", outside of 0 to 19", "W303" },
             },
         ]],
     },
@@ -3547,6 +4220,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3555,13 +4229,20 @@ local OPERATIONS = {
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
                 range = { 0, 19 },
+                outside = { ", outside of 0 to 19", "W303" },
             },
             {
                 "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
+                outside = { ", which is not in TYPE", "W304" },
             },
-            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
+            {
+                "MODE", IN, DATA8, "mode to set",
+                special = { [-1] = "keep the mode" },
+                range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+            },
             { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none" },
         ]],
     },
@@ -3571,6 +4252,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
@@ -3579,14 +4261,24 @@ local OPERATIONS = {
                     [17] = "motor port B", [18] = "motor port C", [19] = "motor port D",
                 },
                 range = { 0, 19 },
+                outside = { ", outside of 0 to 19", "W303" },
             },
             {
                 "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE,
                 special = { [0] = "keep the type" },
                 range = { 50, 98 },
+                outside = { ", which is not in TYPE", "W304" },
             },
-            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 } },
-            { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT },
+            {
+                "MODE", IN, DATA8, "mode to set",
+                special = { [-1] = "keep the mode" },
+                range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" },
+            },
+            {
+                "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "W304" },
+            },
             { "VALUES", IN, COUNT, "number of values that follow, each in FORMAT", element = "FORMAT", elements = OUT },
         ]],
     },
@@ -3596,13 +4288,19 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
-            { "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 1, 32 } },
+            {
+                "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes",
+                range = { 1, 32 },
+                outside = { " bytes, outside of 1 to 32 bytes", "W303" },
+            },
             { "DATA", IN, DATA8, "bytes to send", length = "BYTES" },
         ]],
     },
@@ -3612,15 +4310,18 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE",
                 enum = ENUMERATIONS.CONN,
+                outside = { ", which is not in CONN", "W304" },
             },
         ]],
         dialects = { "xtended", "compat" },
@@ -3631,13 +4332,19 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
-            { "RDLNG", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 32 } },
+            {
+                "RDLNG", IN, DATA8, "number of bytes to read", unit = "bytes",
+                range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "W303" },
+            },
             { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
             { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT },
         ]],
@@ -3649,11 +4356,13 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT },
         ]],
@@ -3665,15 +4374,25 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
-            { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 } },
+            {
+                "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes",
+                range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "W303" },
+            },
             { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
-            { "RDLNG", IN, DATA8, "number of bytes in the sensor's answer", unit = "bytes", range = { 0, 32 } },
+            {
+                "RDLNG", IN, DATA8, "number of bytes in the sensor's answer", unit = "bytes",
+                range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "W303" },
+            },
             { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT },
         ]],
         dialects = { "xtended", "compat" },
@@ -3684,13 +4403,20 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
                 special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" },
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
-            { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } },
+            {
+                "ENABLE", IN, DATA8, "whether to detect",
+                special = { [0] = "off", [1] = "on" },
+                range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
+            },
         ]],
         dialects = { "xtended", "compat" },
     },
@@ -3700,12 +4426,14 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
                 is_motor = true,
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
         ]],
@@ -3717,14 +4445,20 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
                 is_motor = true,
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
-            { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+            {
+                "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE,
+                range = { 50, 98 },
+                outside = { ", which is not in TYPE", "W304" },
+            },
         ]],
     },
     {
@@ -3733,6 +4467,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3742,7 +4477,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
         ]],
     },
@@ -3752,6 +4488,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3761,12 +4498,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -3776,6 +4515,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3785,9 +4525,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
+            {
+                "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
         ]],
     },
     {
@@ -3796,6 +4541,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3805,9 +4551,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
+            {
+                "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
         ]],
     },
     {
@@ -3816,6 +4567,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3825,7 +4577,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
         ]],
     },
@@ -3835,6 +4588,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3844,12 +4598,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
             {
                 "POL", IN, DATA8, "direction",
                 special = { [-1] = "backward", [0] = "opposite of the current one", [1] = "forward" },
                 range = { -1, 1 },
+                outside = { ", outside of -1 to 1", "W303" },
             },
         ]],
     },
@@ -3859,12 +4615,14 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NO", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
                 is_motor = true,
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } },
             {
@@ -3879,6 +4637,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3888,7 +4647,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
@@ -3899,6 +4659,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3908,7 +4669,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
         ]],
     },
@@ -3918,6 +4680,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3927,7 +4690,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
             { "POS", OUT, DATA32, "position", unit = "degrees" },
         ]],
@@ -3939,6 +4703,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3948,16 +4713,34 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
-            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
-            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
-            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
+            {
+                "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
+            {
+                "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
+            {
+                "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
+            {
+                "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -3967,6 +4750,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -3976,16 +4760,34 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 } },
-            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
-            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
-            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
+            {
+                "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
+            {
+                "TIME1", IN, DATA32, "time of the ramp up", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
+            {
+                "TIME2", IN, DATA32, "time at constant drive", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
+            {
+                "TIME3", IN, DATA32, "time of the ramp down", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -3995,6 +4797,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -4004,16 +4807,34 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
-            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 } },
-            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 } },
-            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 } },
+            {
+                "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
+            {
+                "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
+            {
+                "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
+            {
+                "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees",
+                range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -4023,6 +4844,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -4032,16 +4854,34 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
-            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 } },
-            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 } },
-            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 } },
+            {
+                "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
+            {
+                "TIME1", IN, DATA32, "time of the ramp up", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
+            {
+                "TIME2", IN, DATA32, "time at constant drive", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
+            {
+                "TIME3", IN, DATA32, "time of the ramp down", unit = "ms",
+                range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
+            },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -4051,6 +4891,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -4060,9 +4901,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
+            {
+                "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
@@ -4070,16 +4916,19 @@ local OPERATIONS = {
                     [100] = "higher port stands still", [200] = "spin, higher port runs backward",
                 },
                 range = { -200, 200 },
+                outside = { ", outside of -200 to 200", "W303" },
             },
             {
                 "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees",
                 special = { [0] = "endless" },
                 range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "W303" },
             },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -4089,6 +4938,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -4098,9 +4948,14 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
-            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 } },
+            {
+                "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%",
+                range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "W303" },
+            },
             {
                 "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
                 special = {
@@ -4108,16 +4963,19 @@ local OPERATIONS = {
                     [100] = "higher port stands still", [200] = "spin, higher port runs backward",
                 },
                 range = { -200, 200 },
+                outside = { ", outside of -200 to 200", "W303" },
             },
             {
                 "TIME", IN, DATA32, "how long to run", unit = "ms",
                 special = { [0] = "endless" },
                 range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "W303" },
             },
             {
                 "BRAKE", IN, DATA8, "what the motors do at the end",
                 special = { [0] = "coast", [1] = "brake and hold" },
                 range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "W303" },
             },
         ]],
     },
@@ -4127,6 +4985,7 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
@@ -4136,7 +4995,8 @@ local OPERATIONS = {
                     [15] = "A+B+C+D",
                 },
                 is_set = true,
-                range = { 0, 15 },
+                range = { 1, 15 },
+                outside = { ", outside of 0 to 15", "W303" },
             },
         ]],
     },
@@ -4146,12 +5006,14 @@ local OPERATIONS = {
             {
                 "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain",
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             {
                 "NOS", IN, DATA8, "port, counted from 0", label = "Port",
                 special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
                 is_motor = true,
                 range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "W303" },
             },
             { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" },
         ]],
@@ -4163,13 +5025,23 @@ local OPERATIONS = {
             {
                 "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT,
                 range = { 0, 4 },
+                is_ranged = true,
+                outside = { ", outside of 0 to 4", "W303" },
             },
             {
                 "OBJID", IN, DATA16, "object whose local memory is meant",
                 special = { [0] = "the program's global memory" },
             },
-            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
-            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
+            {
+                "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes",
+                range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+            },
+            {
+                "SIZE", IN, DATA32, "number of bytes", unit = "bytes",
+                range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+            },
             { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" },
         ]],
     },
@@ -4179,13 +5051,23 @@ local OPERATIONS = {
             {
                 "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT,
                 range = { 0, 4 },
+                is_ranged = true,
+                outside = { ", outside of 0 to 4", "W303" },
             },
             {
                 "OBJID", IN, DATA16, "object whose local memory is meant",
                 special = { [0] = "the program's global memory" },
             },
-            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 } },
-            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
+            {
+                "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes",
+                range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+            },
+            {
+                "SIZE", IN, DATA32, "number of bytes", unit = "bytes",
+                range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+            },
             { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" },
         ]],
     },
@@ -4218,7 +5100,10 @@ local OPERATIONS = {
                 3, "READ_VALUE", "Reads the text up to the next delimiter and turns it into a number",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     { "VALUE", OUT, DATAF, "the number, 0 if the text is not a number" },
                 ]],
             },
@@ -4226,7 +5111,10 @@ local OPERATIONS = {
                 4, "WRITE_VALUE", "Writes a number as text, and a delimiter after it",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     { "VALUE", IN, DATAF, "the number" },
                     { "FIGURES", IN, DATA8, "minimum width in characters, including the decimal point" },
                     { "DECIMALS", IN, DATA8, "digits after the decimal point" },
@@ -4236,7 +5124,10 @@ local OPERATIONS = {
                 5, "READ_TEXT", "Reads text up to the next delimiter",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     {
                         "LENGTH", IN, DATA16,
                         "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127", unit = "bytes",
@@ -4251,7 +5142,10 @@ local OPERATIONS = {
                 6, "WRITE_TEXT", "Writes text without its zero, and a delimiter after it",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL },
+                    {
+                        "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "W304" },
+                    },
                     { "TEXT", IN, STRING, "the text" },
                 ]],
             },
@@ -4259,7 +5153,12 @@ local OPERATIONS = {
             {
                 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
                 [[
-                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, range = { 0, 4 } },
+                    {
+                        "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT,
+                        range = { 0, 4 },
+                        is_ranged = true,
+                        outside = { ", outside of 0 to 4", "W303" },
+                    },
                     {
                         "NAME", IN, STRING,
                         "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted",
@@ -4289,7 +5188,11 @@ local OPERATIONS = {
             {
                 11, "GET_POOL", "Reserves a block of memory for the program",
                 [[
-                    { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 1, 6000000 } },
+                    {
+                        "SIZE", IN, DATA32, "how much memory", unit = "bytes",
+                        range = { 1, 6000000 },
+                        outside = { " bytes, outside of 1 to 6000000 bytes", "W303" },
+                    },
                     { "HANDLE", OUT, HANDLE, "handle of the block" },
                     { "IP", OUT, DATA32, "address of the block" },
                 ]],
@@ -4319,7 +5222,11 @@ local OPERATIONS = {
                 15, "GET_SUBFOLDER_NAME", "Reads the name of one entry of a folder",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
+                    {
+                        "ITEM", IN, DATA8, "which entry of the folder, the first is 1",
+                        range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "W303" },
+                    },
                     { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
                     {
                         "STRING", OUT, STRING, "its name without extension, empty if there is no such entry",
@@ -4332,7 +5239,11 @@ local OPERATIONS = {
                 [[
                     { "HANDLE", IN, HANDLE, "the open data log" },
                     { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
-                    { "ITEMS", IN, DATA8, "number of samples; with 0 nothing is written", range = { 0, 127 } },
+                    {
+                        "ITEMS", IN, DATA8, "number of samples; with 0 nothing is written",
+                        range = { 0, 127 },
+                        outside = { ", outside of 0 to 127", "W303" },
+                    },
                     { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" },
                 ]],
             },
@@ -4347,8 +5258,15 @@ local OPERATIONS = {
                 18, "GET_IMAGE", "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
+                    {
+                        "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
+                    {
+                        "ITEM", IN, DATA8, "which entry of the folder, the first is 1",
+                        range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "W303" },
+                    },
                     { "IP", OUT, DATA32, "where it was loaded" },
                 ]],
             },
@@ -4375,7 +5293,11 @@ local OPERATIONS = {
             {
                 22, "GET_CACHE_FILE", "Reads the path of one recently run file",
                 [[
-                    { "ITEM", IN, DATA8, "which one, 1 is the latest", range = { 1, 10 } },
+                    {
+                        "ITEM", IN, DATA8, "which one, 1 is the latest",
+                        range = { 1, 10 },
+                        outside = { ", outside of 1 to 10", "W303" },
+                    },
                     { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
                     { "STRING", OUT, STRING, "path of the file, empty if there is none", length = "LENGTH" },
                 ]],
@@ -4388,7 +5310,11 @@ local OPERATIONS = {
                 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it",
                 [[
                     { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/" },
-                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 } },
+                    {
+                        "ITEM", IN, DATA8, "which entry of the folder, the first is 1",
+                        range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "W303" },
+                    },
                 ]],
             },
             {
@@ -4421,7 +5347,11 @@ local OPERATIONS = {
                 28, "READ_BYTES", "Reads raw bytes from a file",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 } },
+                    {
+                        "BYTES", IN, DATA16, "number of bytes", unit = "bytes",
+                        range = { 0, 32767 },
+                        outside = { " bytes, outside of 0 to 32767 bytes", "W303" },
+                    },
                     {
                         "DESTINATION", OUT, DATA8, "the bytes; followed by a zero if the file ended early",
                         length = "BYTES",
@@ -4432,7 +5362,11 @@ local OPERATIONS = {
                 29, "WRITE_BYTES", "Writes raw bytes to a file",
                 [[
                     { "HANDLE", IN, HANDLE, "the open file" },
-                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 } },
+                    {
+                        "BYTES", IN, DATA16, "number of bytes", unit = "bytes",
+                        range = { 0, 32767 },
+                        outside = { " bytes, outside of 0 to 32767 bytes", "W303" },
+                    },
                     { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
@@ -4465,28 +5399,44 @@ local OPERATIONS = {
             {
                 1, "CREATE8", "Creates an array of DATA8 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 6000000 } },
+                    {
+                        "ELEMENTS", IN, DATA32, "initial number of elements",
+                        range = { 0, 6000000 },
+                        outside = { ", outside of 0 to 6000000", "W303" },
+                    },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 2, "CREATE16", "Creates an array of DATA16 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 3000000 } },
+                    {
+                        "ELEMENTS", IN, DATA32, "initial number of elements",
+                        range = { 0, 3000000 },
+                        outside = { ", outside of 0 to 3000000", "W303" },
+                    },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 3, "CREATE32", "Creates an array of DATA32 elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 } },
+                    {
+                        "ELEMENTS", IN, DATA32, "initial number of elements",
+                        range = { 0, 1500000 },
+                        outside = { ", outside of 0 to 1500000", "W303" },
+                    },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
             {
                 4, "CREATEF", "Creates an array of DATAF elements",
                 [[
-                    { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 } },
+                    {
+                        "ELEMENTS", IN, DATA32, "initial number of elements",
+                        range = { 0, 1500000 },
+                        outside = { ", outside of 0 to 1500000", "W303" },
+                    },
                     { "HANDLE", OUT, HANDLE, "handle of the new array" },
                 ]],
             },
@@ -4494,7 +5444,11 @@ local OPERATIONS = {
                 5, "RESIZE", "Changes the number of elements of an array",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 6000000 } },
+                    {
+                        "ELEMENTS", IN, DATA32, "new number of elements",
+                        range = { 0, 6000000 },
+                        outside = { ", outside of 0 to 6000000", "W303" },
+                    },
                 ]],
             },
             {
@@ -4515,8 +5469,16 @@ local OPERATIONS = {
                 8, "INIT8", "Writes several elements of a DATA8 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
-                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
+                    {
+                        "INDEX", IN, DATA32, "first element to write, counted from 0",
+                        range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "W303" },
+                    },
+                    {
+                        "ELEMENTS", IN, DATA32, "number of values that follow",
+                        range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
+                    },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 },
                 ]],
             },
@@ -4524,8 +5486,16 @@ local OPERATIONS = {
                 9, "INIT16", "Writes several elements of a DATA16 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
-                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
+                    {
+                        "INDEX", IN, DATA32, "first element to write, counted from 0",
+                        range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "W303" },
+                    },
+                    {
+                        "ELEMENTS", IN, DATA32, "number of values that follow",
+                        range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
+                    },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 },
                 ]],
             },
@@ -4533,8 +5503,16 @@ local OPERATIONS = {
                 10, "INIT32", "Writes several elements of a DATA32 array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
-                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
+                    {
+                        "INDEX", IN, DATA32, "first element to write, counted from 0",
+                        range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "W303" },
+                    },
+                    {
+                        "ELEMENTS", IN, DATA32, "number of values that follow",
+                        range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
+                    },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 },
                 ]],
             },
@@ -4542,8 +5520,16 @@ local OPERATIONS = {
                 11, "INITF", "Writes several elements of a DATAF array, all within its size",
                 [[
                     { "HANDLE", IN, HANDLE, "the array" },
-                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 } },
-                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 } },
+                    {
+                        "INDEX", IN, DATA32, "first element to write, counted from 0",
+                        range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "W303" },
+                    },
+                    {
+                        "ELEMENTS", IN, DATA32, "number of values that follow",
+                        range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
+                    },
                     { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF },
                 ]],
             },
@@ -4566,33 +5552,52 @@ local OPERATIONS = {
             {
                 13, "READ_CONTENT", "Reads an array's content as bytes, also of another program",
                 [[
-                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "HANDLE", IN, HANDLE, "the array" },
                     {
                         "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
                         range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
                     },
-                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
+                    {
+                        "BYTES", IN, DATA32, "number of bytes", unit = "bytes",
+                        range = { 0, 2147483647 },
+                        outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+                    },
                     { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" },
                 ]],
             },
             {
                 14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends after them",
                 [[
-                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "HANDLE", IN, HANDLE, "the array" },
                     {
                         "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements",
                         range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "W303" },
                     },
-                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 } },
+                    {
+                        "BYTES", IN, DATA32, "number of bytes", unit = "bytes",
+                        range = { 0, 2147483647 },
+                        outside = { " bytes, outside of 0 to 2147483647 bytes", "W303" },
+                    },
                     { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" },
                 ]],
             },
             {
                 15, "READ_SIZE", "Returns the size of an array's content, also of another program",
                 [[
-                    { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT },
+                    {
+                        "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "W304" },
+                    },
                     { "HANDLE", IN, HANDLE, "the array" },
                     { "BYTES", OUT, DATA32, "number of bytes, 0 if there is no such array", unit = "bytes" },
                 ]],
@@ -4603,7 +5608,11 @@ local OPERATIONS = {
         0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 } },
+            {
+                "INDEX", IN, DATA32, "which element, the first is 0",
+                range = { 0, 5999999 },
+                outside = { ", outside of 0 to 5999999", "W303" },
+            },
             { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -4611,7 +5620,11 @@ local OPERATIONS = {
         0xC3, "ARRAY_READ", "Reads one element of an array",
         [[
             { "HANDLE", IN, HANDLE, "the array" },
-            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 } },
+            {
+                "INDEX", IN, DATA32, "which element, the first is 0",
+                range = { 0, 5999999 },
+                outside = { ", outside of 0 to 5999999", "W303" },
+            },
             { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" },
         ]],
     },
@@ -4738,6 +5751,7 @@ local OPERATIONS = {
                     {
                         "STATUS", IN, DATA8, "how it ended; all but OK give DIRECT_REPLY_ERROR",
                         enum = ENUMERATIONS.RESULT,
+                        outside = { ", which is not in RESULT", "W304" },
                     },
                 ]],
             },
@@ -4746,14 +5760,20 @@ local OPERATIONS = {
     {
         0xD0, "COM_READY", "Waits until nothing is being sent to a device",
         [[
-            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+            {
+                "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
         ]],
     },
     {
         0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data",
         [[
-            { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE },
+            {
+                "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "VALUE2", IN, DATA8, "name of the other device, ignored" },
             { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
             { "VALUE4", IN, DATA8, "the bytes, ignored" },
@@ -4762,7 +5782,10 @@ local OPERATIONS = {
     {
         0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data",
         [[
-            { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE },
+            {
+                "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "VALUE2", IN, DATA8, "name of the other device, ignored" },
             { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
             { "VALUE4", IN, DATA8, "the bytes, ignored" },
@@ -4774,7 +5797,12 @@ local OPERATIONS = {
             {
                 1, "GET_ON_OFF", "Reports whether Bluetooth or WiFi is on",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4785,7 +5813,12 @@ local OPERATIONS = {
             {
                 2, "GET_VISIBLE", "Reports whether other devices can see the brick by Bluetooth",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 1, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 1 to 3", "W303" },
+                    },
                     {
                         "VISIBLE", OUT, DATA8, "whether it is visible",
                         special = { [0] = "no", [1] = "yes" },
@@ -4796,7 +5829,12 @@ local OPERATIONS = {
             {
                 4, "GET_RESULT", "Reports the state of a search or connection request",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
                     { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT },
                 ]],
@@ -4804,7 +5842,10 @@ local OPERATIONS = {
             {
                 5, "GET_PIN", "Reads the PIN for a device, always 1234",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     { "LENGTH", IN, DATA8, "size of the PIN's buffer, including the zero", unit = "bytes" },
                     { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" },
@@ -4813,7 +5854,10 @@ local OPERATIONS = {
             {
                 7, "LIST_STATE", "Reads a counter that changes when a device enters or leaves a list",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     { "STATE", OUT, DATA16, "number to compare with the one of the last call" },
                 ]],
                 dialects = { "compat" },
@@ -4821,14 +5865,22 @@ local OPERATIONS = {
             {
                 8, "SEARCH_ITEMS", "Counts the devices or networks that a search found",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 9, "SEARCH_ITEM", "Describes one device or network that a search found",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
@@ -4860,14 +5912,22 @@ local OPERATIONS = {
             {
                 10, "FAVOUR_ITEMS", "Counts the paired devices, in range or not",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 11, "FAVOUR_ITEM", "Describes one paired device or known network",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
@@ -4894,7 +5954,12 @@ local OPERATIONS = {
             {
                 12, "GET_ID", "Reads the brick's Bluetooth address",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "unlimited (handles only)" },
@@ -4915,7 +5980,10 @@ local OPERATIONS = {
             {
                 14, "GET_NETWORK", "Reads network name and addresses, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "buffer size for each of the three texts, including the zero",
                         unit = "bytes",
@@ -4929,7 +5997,10 @@ local OPERATIONS = {
             {
                 15, "GET_PRESENT", "Reports whether the hardware is present (for WiFi: a known dongle)",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     {
                         "OK", OUT, DATA8, "whether it is present",
                         special = { [0] = "no", [1] = "yes" },
@@ -4940,7 +6011,12 @@ local OPERATIONS = {
             {
                 16, "GET_ENCRYPT", "Reports the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 3, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 3 to 3", "W303" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
                         "TYPE", OUT, DATA8, "kind of encryption; always none in the 2013 firmware",
@@ -4951,14 +6027,22 @@ local OPERATIONS = {
             {
                 17, "CONNEC_ITEMS", "Counts the connected devices, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 1, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 1 to 3", "W303" },
+                    },
                     { "ITEMS", OUT, DATA8, "number of entries in the list" },
                 ]],
             },
             {
                 18, "CONNEC_ITEM", "Describes one connected device, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
@@ -4971,7 +6055,12 @@ local OPERATIONS = {
             {
                 19, "GET_INCOMING", "Reports which device asks for a connection, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     {
                         "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
                         special = { [-1] = "unlimited (handles only)" },
@@ -4983,7 +6072,12 @@ local OPERATIONS = {
             {
                 20, "GET_MODE2", "Reports whether Bluetooth is in its mode for Apple devices",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     {
                         "ACTIVE", OUT, DATA8, "whether it is on",
                         special = { [0] = "off", [1] = "on" },
@@ -4999,40 +6093,61 @@ local OPERATIONS = {
             {
                 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
             {
                 2, "SET_VISIBLE", "Makes the brick visible or invisible, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        outside = { ", which is not in HWTYPE", "W304" },
+                    },
                     {
                         "VISIBLE", IN, DATA8, "whether other devices can see it",
                         special = { [0] = "invisible", [1] = "visible" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
             {
                 3, "SET_SEARCH", "Starts or stops the search for devices or networks",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     {
                         "SEARCH", IN, DATA8, "whether to search",
                         special = { [0] = "stop (Bluetooth only)", [1] = "start" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
             {
                 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     { "PINCODE", IN, STRING, "PIN or password" },
                 ]],
@@ -5040,23 +6155,35 @@ local OPERATIONS = {
             {
                 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     {
                         "ACCEPT", IN, DATA8, "the answer",
                         special = { [0] = "reject", [1] = "accept" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
             {
                 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 3", "W303" },
+                    },
                     { "NAME", IN, STRING, "name of the other device or network" },
                     {
                         "CONNECTION", IN, DATA8, "what to do",
                         special = { [0] = "disconnect", [1] = "connect" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -5067,40 +6194,69 @@ local OPERATIONS = {
             {
                 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 3, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 3 to 3", "W303" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 3, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 3 to 3", "W303" },
+                    },
                     { "ITEM", IN, DATA8, "place in the list, counted from 0" },
                 ]],
             },
             {
                 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 3, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 3 to 3", "W303" },
+                    },
                     { "ITEM", IN, STRING, "name of the network" },
-                    { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT },
+                    {
+                        "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT,
+                        outside = { ", which is not in ENCRYPT", "W304" },
+                    },
                 ]],
             },
             {
                 12, "SET_SSID", "Adds a network to the end of the list, WiFi only",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 3, 3 },
+                        is_ranged = true,
+                        outside = { ", outside of 3 to 3", "W303" },
+                    },
                     { "NAME", IN, STRING, "name of the network" },
                 ]],
             },
             {
                 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
                 [[
-                    { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 } },
+                    {
+                        "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                        range = { 2, 2 },
+                        is_ranged = true,
+                        outside = { ", outside of 2 to 2", "W303" },
+                    },
                     {
                         "ACTIVE", IN, DATA8, "whether to switch it on",
                         special = { [0] = "off", [1] = "on" },
                         range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "W303" },
                     },
                 ]],
             },
@@ -5109,7 +6265,10 @@ local OPERATIONS = {
     {
         0xD5, "COM_TEST", "Reports whether something is still being sent to a device",
         [[
-            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+            {
+                "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
             { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } },
         ]],
@@ -5117,25 +6276,41 @@ local OPERATIONS = {
     {
         0xD6, "COM_REMOVE", "Forgets a paired device or a known network",
         [[
-            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+            {
+                "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
         ]],
     },
     {
         0xD7, "COM_WRITEFILE", "Sends a file or a folder to another brick, Bluetooth only",
         [[
-            { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE },
+            {
+                "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE,
+                outside = { ", which is not in HWTYPE", "W304" },
+            },
             { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
             { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" },
-            { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE },
+            {
+                "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE,
+                outside = { ", which is not in FILETYPE", "W304" },
+            },
         ]],
     },
     {
         0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
             { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters" },
-            { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT },
+            {
+                "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "W304" },
+            },
             { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
             { "VALUES", IN, DATA8, "number of values, ignored by the firmware" },
         ]],
@@ -5147,9 +6322,13 @@ local OPERATIONS = {
             {
                 "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE,
                 special = { [0] = "as compilers write" },
+                outside = { ", which is not in HWTYPE", "W304" },
             },
             { "BOXNAME", IN, STRING, "name of the mailbox" },
-            { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT },
+            {
+                "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "W304" },
+            },
             {
                 "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string", element = "TYPE",
                 elements = IN,
@@ -5159,7 +6338,11 @@ local OPERATIONS = {
     {
         0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
             { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" },
             {
                 "VALUES", IN, COUNT, "number of values that follow, in the type of MAILBOX_OPEN", element = ARRAY_TYPED,
@@ -5170,7 +6353,11 @@ local OPERATIONS = {
     {
         0xDB, "MAILBOX_TEST", "Reports whether a mailbox has an unread message",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
             {
                 "BUSY", OUT, DATA8, "whether to wait",
                 special = { [0] = "a new message is there", [1] = "nothing new" },
@@ -5180,16 +6367,32 @@ local OPERATIONS = {
     },
     {
         0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox",
-        [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } } ]],
+        [[
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
+        ]],
     },
     {
         0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick",
-        [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } } ]],
+        [[
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
+        ]],
     },
     {
         0xE5, "MAILBOX_SIZE", "Returns the size of a mailbox's content",
         [[
-            { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 } },
+            {
+                "NO", IN, DATA8, "number of the mailbox on this brick",
+                range = { 0, 29 },
+                outside = { ", outside of 0 to 29", "W303" },
+            },
             { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" },
         ]],
         dialects = { "xtended", "compat" },
@@ -5462,13 +6665,26 @@ local CLAIMS = {
 }
 -- The range of each type.
 local TYPE_RANGES = {
-    DATA8 = { -127, 127 },
-    DATA16 = { -32767, 32767 },
-    DATA32 = { -2147483647, 2147483647 },
-    HANDLE = { -32767, 32767 },
-    ARRAY_TYPED = { -2147483647, 2147483647 },
-    LABEL = { -2147483647, 2147483647 },
-    COUNT = { 0, 127 },
+    DATA8 = { -127, 127, text = "DATA8, -127 to 127", named = "-127 to 127 as DATA8" },
+    DATA16 = { -32767, 32767, text = "DATA16, -32767 to 32767", named = "-32767 to 32767 as DATA16" },
+    DATA32 = {
+        -2147483647, 2147483647, text = "DATA32, -2147483647 to 2147483647",
+        named = "-2147483647 to 2147483647 as DATA32",
+    },
+    HANDLE = { -32767, 32767, text = "handle, -32767 to 32767", named = "-32767 to 32767 as handle" },
+    ARRAY_TYPED = {
+        -2147483647, 2147483647, text = "array-typed, -2147483647 to 2147483647",
+        named = "-2147483647 to 2147483647 as array-typed",
+    },
+    LABEL = {
+        -2147483647, 2147483647, text = "label, -2147483647 to 2147483647",
+        named = "-2147483647 to 2147483647 as label",
+    },
+}
+-- The motors of each bit mask.
+local PORT_SETS = {
+    [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D",
 }
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
@@ -5617,6 +6833,8 @@ for name, row in pairs({
     cut_by_capture = { "Cut by the capture", "UNDECODED", "NOTE" },
     misaligned = { "Misaligned variable", "PROTOCOL", "ERROR" },
     beyond_memory = { "Variable beyond the requested memory", "PROTOCOL", "WARN" },
+    refused = { "Argument that the brick refuses", "PROTOCOL", "ERROR" },
+    misread = { "Value that the brick reads otherwise, or that is not documented", "PROTOCOL", "WARN" },
     no_boundary = { "No frame starts here", "MALFORMED", "ERROR" },
     error_reply = { "The brick refused the command, or it failed", "RESPONSE_CODE", "WARN" },
     failed = { "The command failed", "RESPONSE_CODE", "WARN" },
@@ -5728,11 +6946,14 @@ do
             -- The letters of motors, for lines.
             motors = (row.is_motor or row.is_set) and row.special or nil,
             -- Whether it is a bit mask of ports.
-            is_set = row.is_set,
+            is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
-            range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
+            range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
+            -- What is said of a number outside of what the tables document, and the code of that.
+            outside = row.outside,
+            limits = SIZE_OF[type] and TYPE_RANGES[type],
         }
     end
 
@@ -5755,7 +6976,7 @@ do
                 name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
-                range = not row.any and TYPE_RANGES[type] or nil,
+                range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
             }
@@ -5828,6 +7049,8 @@ do
             end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
+        local first = not operation.cmd_name and operation.parameters[1]
+        if first then first.accepted = TYPE_RANGES[rows[1].validated or first.type] end
     end
 
     local function has_dialect(row, dialect)
@@ -6046,7 +7269,16 @@ do
                 return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
             end
             if not commands[value] then
-                return nil, at + 1, format("%s has no CMD %d", operation.name, value), "unknown_cmd"
+                local numbers, known = {}, {}
+                for number in pairs(commands) do
+                    numbers[#numbers + 1] = number
+                end
+                table.sort(numbers)
+                for index = 1, math.min(#numbers, 3) do
+                    known[index] = numbers[index] .. " " .. commands[numbers[index]].name:match("%.(.+)$")
+                end
+                local reason = "%s has no CMD %d (it has %s, ...)"
+                return nil, at + 1, format(reason, operation.name, value, concat(known, ", ")), "unknown_cmd"
             end
             operation = commands[value]
         end
@@ -6066,10 +7298,9 @@ do
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
-    -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
-    -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
-    -- kind.
-    function reading.read_arguments(operation, text, at, visit, is_brief)
+    -- parameter, encoding, value, and the offsets of its first byte and after its last. Returns the offset after the
+    -- last one that could be read, and after a fault its offset, reason and kind.
+    function reading.read_arguments(operation, text, at, visit)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -6078,9 +7309,7 @@ do
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
-            if not is_brief or encoding.scope or parameter.tells_length then
-                visit(parameter, encoding, value, at, after)
-            end
+            visit(parameter, encoding, value, at, after)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
                     element_type = FORMAT_TYPES[value] or element_type
@@ -6238,6 +7467,65 @@ do
     function phrases.meaning_of(parameter, value)
         if parameter.flags then return flags_text(parameter.flags, value) end
         return parameter.special and parameter.special[value]
+    end
+
+    -- Tells whether the tables allow a number for a parameter.
+    function phrases.is_allowed(parameter, value)
+        local range, names, special = parameter.range, parameter.names, parameter.special
+        if range and value >= range[1] and value <= range[2] then return true end
+        if not names and not special then return not range end
+        return names and not parameter.is_ranged and names[value] ~= nil or special and special[value] ~= nil
+    end
+
+    local function is_outside(value, range)
+        return range and (value < range[1] or value > range[2])
+    end
+
+    -- The same for a number, with the `owner` of the parameter.
+    local function misread(parameter, value, owner)
+        local name, limits, accepted, read, aside = parameter.name, parameter.limits, parameter.accepted, value, ""
+        if is_outside(value, accepted) then
+            return "%s is %d, but the brick accepts only %s in a first parameter (E204)", name, value, accepted.named
+        elseif is_outside(value, limits) then
+            local span = limits[2] * 2 + 2
+            if value == limits[1] - 1 then return '%s is %d, which means "not a number" (W302)', name, value end
+            read = (value + span / 2) % span - span / 2
+            local is_cut = value < 0 or value >= span
+            local reason = is_cut and "%s is %d, which the brick truncates to %d: it is a %s (E301)"
+                or "%s is %d, which the brick reads as %d: it is a %s (W301)"
+            aside = format("; the brick reads it as %d", read)
+            if is_cut or not parameter.outside or phrases.is_allowed(parameter, read) then
+                return reason, name, value, read, limits.text
+            end
+        end
+        if parameter.outside and not phrases.is_allowed(parameter, read) then
+            local ports = parameter.is_motor and PORT_SETS[value]
+            local reason = "%s is %d, the bit mask of %s, but it takes the number of one port (W303)"
+            if ports then return reason, name, value, ports end
+            return "%s is %d%s%s (%s)", name, value, parameter.outside[1], aside, parameter.outside[2]
+        elseif parameter.is_set and value == 0 then
+            return "%s is 0, a bit mask without a port, so %s does nothing (H702)", name, owner
+        end
+    end
+
+    -- Returns what `ev3proto check` says of a constant that the brick reads otherwise, does not know, or refuses: a
+    -- text for `format`, and what it is about; nil of others.
+    function phrases.misuse(parameter, encoding, value, owner)
+        local name, is_text, reads_text = parameter.name, encoding.kind == CONSTANT_TEXT, parameter.kind == TEXT_VALUE
+        if encoding.handle or encoding.address or not (is_text or encoding.kind == CONSTANT) then return nil end
+        if parameter.is_output then return "%s is a constant, but the brick writes to it (E302)", name end
+        if is_text then
+            if reads_text or parameter.length or parameter.type == ARRAY_TYPED then return nil end
+            return "%s is a text, but the brick reads a %s (E304)", name, TYPE_NAMES[parameter.type]
+        elseif value ~= value then
+            return '%s is nan, which means "not a number" (W302)', name
+        elseif reads_text then
+            return "%s is the number %d, but the brick reads a text (E303)", name, value
+        elseif parameter.kind ~= FLOAT then
+            return misread(parameter, value, owner)
+        elseif value ~= 0 and not encoding.is_long and not parameter.length then
+            return "%s is the whole number %d, but the brick reads its bits as a float (E305)", name, value
+        end
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -6579,7 +7867,7 @@ do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
     local select_operation, read_arguments = reading.select_operation, reading.read_arguments
-    local argument_text, plural = phrases.argument_text, phrases.plural
+    local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -6607,12 +7895,14 @@ do
 
     -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
     -- frame's `base` there; the requested memory; the operation, where it starts, and the lengths that its arguments
-    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; without a
-    -- tree, the `complaints` and the `outputs`. Local variables are faster than a table for the many arguments.
+    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
+    -- `remark` on an argument; without a tree, the `complaints` and the `outputs`. Local variables are faster than a
+    -- table for the many arguments.
     local heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond
-    local complaints, outputs
+    local remark, complaints, outputs
 
-    local function report(item, kind, text)
+    local function report(item, kind, at, text)
+        remark = remark or format("at offset %d: %s", at, text)
         if item then
             complain(item, kind, text)
         else
@@ -6621,23 +7911,23 @@ do
     end
 
     -- Adds the expert information for a variable whose index the brick refuses.
-    local function complain_of_index(item, parameter, encoding, index, alignment)
+    local function complain_of_index(item, at, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
         local variable = argument_text(parameter, encoding, index)
-        report(item, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+        report(item, "misaligned", at, format(reason, parameter.name, sort, alignment, variable))
     end
 
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
     -- the first variable beyond that memory is reported.
-    local function check_variable(item, parameter, encoding, index)
+    local function check_variable(item, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
             size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
-        if index % alignment ~= 0 then complain_of_index(item, parameter, encoding, index, alignment) end
+        if index % alignment ~= 0 then complain_of_index(item, at, parameter, encoding, index, alignment) end
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
@@ -6646,9 +7936,14 @@ do
         end
         if index + size <= asked then return end
         is_beyond = true
-        report(item, "beyond_memory", format(
+        report(item, "beyond_memory", at, format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+    end
+
+    local function check_constant(item, at, reason, ...)
+        if not reason then return end
+        report(item, find(reason, "E204", 1, true) and "refused" or "misread", at, format(reason, ...))
     end
 
     -- Appends an argument to the line of its operation.
@@ -6684,13 +7979,19 @@ do
             if after > at + 1 then set_len(item, after - at) end
         end
         if encoding.scope then
-            check_variable(item, parameter, encoding, value)
+            check_variable(item, at, parameter, encoding, value)
             -- An address is the place of a value, not a value.
             if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
-        elseif parameter.tells_length and reply_values.tells_length(parameter, encoding) then
-            lengths[parameter.name] = value
+        else
+            if parameter.tells_length and reply_values.tells_length(parameter, encoding) then
+                lengths[parameter.name] = value
+            end
+            local range = parameter.range
+            if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
+                check_constant(item, at, misuse_of(parameter, encoding, value, operation.name))
+            end
         end
         if item then add(item, ENCODING, range, encoding.label) end
         if said and parameter.key then say_argument(parameter, encoding, value) end
@@ -6713,6 +8014,7 @@ do
     local function read(text, at, item, view, asked_globals, asked_locals)
         local first, phrase, others, fault = nil, "", {}, nil
         heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
+        remark = nil
         if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
@@ -6727,7 +8029,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument)
             if not first then
                 first, phrase = selected, said
             else
@@ -6744,6 +8046,7 @@ do
         if not first then return "", at, fault end
         local line = first.name .. phrase
         if others[1] then line = line .. " " .. phrases.others_text(others) end
+        if remark then line = format("%s [%s]", line, remark) end
         return line, at, fault, first
     end
 
@@ -6773,6 +8076,7 @@ do
         local line, after, fault, first = read(text, COMMAND_HEADER_SIZE, nil, nil, memory_sizes(text))
         summary = {
             line = line, after = after, fault = fault, first = first, complaints = complaints, outputs = outputs,
+            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
         }
         if summary_count == MOST_SUMMARIES then operations.forget() end
         summaries[body], summary_count = summary, summary_count + 1
@@ -6916,9 +8220,10 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            local reason = "the brick refused the command or failed to execute it; it does not say why"
-            complain(view.target, "error_reply", reason)
-            local first = request and operations.summary_of(request.body).first
+            local summary = request and operations.summary_of(request.body) or {}
+            local why = summary.remark and "in the command, " .. summary.remark or "it does not say why"
+            complain(view.target, "error_reply", "the brick refused the command or failed to execute it; " .. why)
+            local first = summary.first
             return first and "error reply to " .. first.name or "error reply"
         end
         local size = phrases.plural(stop - HEADER_SIZE, "byte")
@@ -7398,12 +8703,7 @@ do
         if parameter.is_output then return false end
         local is_text = encoding.kind == CONSTANT_TEXT
         if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
-        local range = parameter.range
-        if value == 0 and parameter.is_set then return false end
-        if range and value >= range[1] and value <= range[2] then return true end
-        local names, special = parameter.names, parameter.special
-        if not names and not special then return not range end
-        return names and names[value] ~= nil or special and special[value] ~= nil
+        return not (value == 0 and parameter.is_set) and phrases.is_allowed(parameter, value)
     end
 
     -- The same for all operations of a direct command, at least one of which must be evidence.

@@ -35,6 +35,9 @@ from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto import GV
+from ev3proto.schema.argument import encode_integer
+from ev3proto.schema.header import write_memory
+from ev3proto.tables import operations as declared_operations
 from ev3proto.tables.discovery import ACCEPT
 from ev3proto.testing import daisy_messages, frames
 
@@ -567,7 +570,9 @@ FAULTS = {
     "0C00 0100 80 0000 02 01 F0 60 84 61 00": Told(
         "unknown_opcode", "at offset 9: unknown opcode 0xF0 for the official firmware", "F0 60 84 61 00"
     ),
-    "0800 0200 80 0000 94 1F 01": Told("unknown_cmd", "at offset 8: SOUND has no CMD 31", "94 1F 01"),
+    "0800 0200 80 0000 94 1F 01": Told(
+        "unknown_cmd", "at offset 8: SOUND has no CMD 31 (it has 0 BREAK, 1 TONE, 2 PLAY, ...)", "94 1F 01"
+    ),
     "0800 0200 80 0000 94 41 01": Told(
         "unknown_cmd", "at offset 8: CMD of SOUND is LV0, but must be a constant", "94 41 01"
     ),
@@ -591,6 +596,27 @@ FAULTS = {
     ),
     "0800 0500 00 0200 81 01 60": Told(
         "beyond_memory", "VALUE reaches up to byte 4 of the global memory, but the command requests 2 bytes"
+    ),
+    "0B00 0500 80 0000 A4 00 0F 82 C800": Told(
+        "misread", "POWER is 200, which the brick reads as -56: it is a DATA8, -127 to 127 (W301)"
+    ),
+    "0F00 0500 80 0000 94 01 82 2C01 82 B801 81 64": Told(
+        "misread", "VOLUME is 300, which the brick truncates to 44: it is a DATA8, -127 to 127 (E301)"
+    ),
+    "0D00 0500 80 0000 94 01 05 82 204E 81 64": Told(
+        "misread", "FREQUENCY is 20000 Hz, outside of 250 to 10000 Hz (W303)"
+    ),
+    "0800 0500 80 0000 A6 00 10": Told("misread", "NOS is 16, outside of 0 to 15 (W303)"),
+    "0800 0500 80 0000 A6 04 01": Told("misread", "LAYER is 4, outside of 0 to 3 (W303)"),
+    "0800 0500 80 0000 A6 00 00": Told(
+        "misread", "NOS is 0, a bit mask without a port, so OUTPUT_START does nothing (H702)"
+    ),
+    "0900 0500 00 0400 B3 00 08 60": Told(
+        "misread", "NOS is 8, the bit mask of D, but it takes the number of one port (W303)"
+    ),
+    "0800 0500 80 0000 82 1B 1F": Told("misread", "PATTERN is 31, which is not in LEDPATTERN (W304)"),
+    "0A00 0500 80 0000 A6 82 2C01 01": Told(
+        "refused", "LAYER is 300, but the brick accepts only -127 to 127 as DATA8 in a first parameter (E204)"
     ),
     "0300 0600 04": Told("error_reply", "the brick refused the command or failed to execute it; it does not say why"),
     "0600 0700 05 92 06 FF": Told("failed", "the command failed: ILLEGAL_PATH"),
@@ -781,3 +807,56 @@ def test_the_fault_of_the_bootloader(tshark: Tshark) -> None:
     # After the request's six bytes comes the rest of the reply.
     assert padding.startswith("7f b6 00 00 00 06 00 00")
     assert len(bytes.fromhex(padding)) == 1024 - 6
+
+
+def test_the_first_mark_of_an_argument_is_in_the_info_column(tshark: Tshark) -> None:
+    """Also without a tree, and for operations after the first."""
+    path = one_frame(tshark, "1000 0500 80 0000 A6 00 01 A4 00 10 82 C800 A6 04 01")
+    expected = (
+        "OUTPUT_START layer=0 nos=A (+OUTPUT_POWER, OUTPUT_START) [at offset 12: NOS is 16, outside of 0 to 15 (W303)]"
+    )
+    for words in ((), ("-2", "-Y", "ev3.expert.misread"), ("-V",)):
+        shown = tshark.run(path, *words, "-o", 'gui.column.format:"Info","%i"')
+        assert expected in shown
+
+
+def test_the_reply_to_a_refused_command_has_its_reason(tshark: Tshark) -> None:
+    path = CAPTURES / "wifi.pcapng"
+    shown = tshark.run(path, "-Y", "ev3.expert.error_reply", "-T", "fields", "-e", "_ws.expert.message")
+    assert shown.strip() == (
+        "the brick refused the command or failed to execute it; in the command, at offset 9: VALUE: the index of a"
+        " DATAF must be a multiple of 4, the brick refuses GV(1)"
+    )
+
+
+CONSTANTS = (0, 1, 8, 16, 100, -100, 127, -128, 200, 300, 32768, -32768, 70000, -(2**31), 2**31 - 1)
+
+
+def test_constants_are_judged_as_by_check(tshark: Tshark) -> None:
+    """Every operation without a list, with some numbers, texts, floats and variables as its arguments."""
+    rng = random.Random(1)
+    others = (b"\x60", b"\x44", b"\x84abc\0", bytes.fromhex("83 0000C07F"), bytes.fromhex("83 0000803F"), b"\x91\x05")
+    frames = []
+    for declaration in [each for each in declared_operations().values() if each.tail is None] * 2:
+        cmd = b"" if declaration.command is None else encode_integer(declaration.command.number)
+        arguments = [
+            rng.choice(others) if rng.random() < 0.3 else encode_integer(rng.choice(CONSTANTS))
+            for _ in declaration.fixed
+        ]
+        body = bytes((declaration.opcode.number,)) + cmd + b"".join(arguments)
+        frame = with_length(b"\0\0\x2a\0\0" + write_memory(40, 60) + body)
+        if ev3proto.parse(frame, strict=False).fault is None:
+            frames.append(frame)
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    for frame in frames:
+        connection.send(frame)
+    path = tshark.place(capture.data(), "constants.pcap")
+    fields = ("-e", "_ws.expert.message", "-E", "aggregator=~")
+    shown = tshark.run(path, "-Y", "ev3.msg_num", "-T", "fields", *fields).splitlines()
+    codes = ("E204", "E301", "E302", "E303", "E304", "E305", "W301", "W302", "W303", "W304")
+    for frame, line in zip(frames, shown, strict=True):
+        told = sorted(text for text in line.split("~") if text.endswith(tuple(f"({code})" for code in codes)))
+        found = [each for each in ev3proto.check(frame).findings if each.code in codes]
+        assert told == sorted(f"{each.message} ({each.code})" for each in found), frame.hex(" ")

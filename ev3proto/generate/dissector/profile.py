@@ -59,13 +59,14 @@ RULES = (
     Rule(
         "EV3: fault",
         "ev3.expert.fault || ev3.expert.cut_off || ev3.expert.no_boundary || ev3.expert.unknown_opcode"
-        " || ev3.expert.unknown_cmd || ev3.expert.bootloader_fault",
+        " || ev3.expert.unknown_cmd || ev3.expert.bootloader_fault || ev3.expert.misaligned || ev3.expert.refused",
         "a40000",
         "ffffff",
     ),
     Rule(
         "EV3: doubtful",
-        "ev3.expert.misaligned || ev3.expert.beyond_memory || ev3.expert.orphan || ev3.expert.unanswered",
+        "ev3.expert.misread || ev3.expert.beyond_memory || ev3.expert.orphan || ev3.expert.unanswered"
+        " || ev3.expert.unsure",
         "fce2a9",
     ),
     Rule("Bad TCP", "tcp.analysis.flags && !tcp.analysis.window_update", "12272e", "f78787"),

@@ -8,16 +8,18 @@ from typing import Any
 
 from construct.core import SizeofError
 
+from ev3proto.checking.codes import NO_MEMBER, OUT_OF_RANGE
 from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing
-from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
+from ev3proto.tables.output import PORT_SETS
 from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
 
 TYPES = {member: Name(member.name) for member in Type}
@@ -213,8 +215,19 @@ def _parameter(parameter: Parameter) -> Table:
     if domain is None and parameter.type in RANGES:
         named["any"] = True
     if domain is not None and domain.spans and (parameter.range or parameter.enum or parameter.unsigned):
-        (span,) = domain.spans
-        named["range"] = Table(list(span))
+        ((low, high),) = domain.spans
+        # A set of no motors is allowed, and means nothing; so is a value that means "not a number".
+        least = 1 if parameter.role is Role.MOTORS else RANGES[parameter.type].low if parameter.unsigned else low
+        named["range"] = Table([max(low, least), high])
+    if parameter.range is not None and parameter.enum is not None:
+        named["is_ranged"] = True
+    if (
+        domain is not None
+        and domain.is_documented
+        and parameter.direction is Direction.IN
+        and parameter.type is not Type.LABEL
+    ):
+        named["outside"] = _outside(parameter, domain)
     if parameter.length is not None:
         named["length"] = parameter.length
     if parameter.element is not None:
@@ -224,6 +237,14 @@ def _parameter(parameter: Parameter) -> Table:
     if parameter.validated is not None:
         named["validated"] = TYPES[parameter.validated]
     return Table([parameter.name, DIRECTIONS[parameter.direction], _type(parameter), parameter.text], named)
+
+
+def _outside(parameter: Parameter, domain: Domain) -> Table:
+    """Returns what `ev3proto check` says of a number that is not in the tables, and the code of that."""
+    if parameter.enum is not None and domain.has_names:
+        return Table([f", which is not in {parameter.enum.name}", NO_MEMBER.code])
+    unit = f" {parameter.unit}" if parameter.unit else ""
+    return Table([f"{unit}, outside of {domain.text}", OUT_OF_RANGE.code])
 
 
 def _type(parameter: Parameter) -> Name:
@@ -344,9 +365,16 @@ def _claims() -> Iterator[str]:
     }
     yield _assign("CLAIMS", Table(named=rule))
     yield "-- The range of each type.\n"
-    limits: dict[Any, object] = {kind.name: Table([limit.low, limit.high]) for kind, limit in RANGES.items()}
-    limits["COUNT"] = Table([COUNTS.low, COUNTS.high])
+    limits: dict[Any, object] = {
+        kind.name: Table(
+            [limit.low, limit.high],
+            {"text": f"{kind}, {limit.low} to {limit.high}", "named": f"{limit.low} to {limit.high} as {kind}"},
+        )
+        for kind, limit in RANGES.items()
+    }
     yield _assign("TYPE_RANGES", Table(named=limits))
+    yield "-- The motors of each bit mask.\n"
+    yield _assign("PORT_SETS", Table(named=dict(PORT_SETS)))
 
 
 def _unlock() -> Iterator[str]:

@@ -60,12 +60,7 @@ do
         if parameter.is_output then return false end
         local is_text = encoding.kind == CONSTANT_TEXT
         if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
-        local range = parameter.range
-        if value == 0 and parameter.is_set then return false end
-        if range and value >= range[1] and value <= range[2] then return true end
-        local names, special = parameter.names, parameter.special
-        if not names and not special then return not range end
-        return names and names[value] ~= nil or special and special[value] ~= nil
+        return not (value == 0 and parameter.is_set) and phrases.is_allowed(parameter, value)
     end
 
     -- The same for all operations of a direct command, at least one of which must be evidence.

@@ -88,11 +88,14 @@ do
             -- The letters of motors, for lines.
             motors = (row.is_motor or row.is_set) and row.special or nil,
             -- Whether it is a bit mask of ports.
-            is_set = row.is_set,
+            is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
             flags = is_flags and row.enum.names or nil,
             special = row.special and not is_flags and in_brackets(row.special) or nil,
             length = row.length,
-            range = row.range or not row.enum and not row.any and TYPE_RANGES[type] or nil,
+            range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
+            -- What is said of a number outside of what the tables document, and the code of that.
+            outside = row.outside,
+            limits = SIZE_OF[type] and TYPE_RANGES[type],
         }
     end
 
@@ -115,7 +118,7 @@ do
                 name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
                 is_float = type == DATAF,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
-                range = not row.any and TYPE_RANGES[type] or nil,
+                range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
             }
@@ -188,6 +191,8 @@ do
             end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
+        local first = not operation.cmd_name and operation.parameters[1]
+        if first then first.accepted = TYPE_RANGES[rows[1].validated or first.type] end
     end
 
     local function has_dialect(row, dialect)

@@ -100,9 +100,10 @@ do
             add(view.item, field.memory, bytes_between(view, HEADER_SIZE, stop))
         end
         if message.type.is_error then
-            local reason = "the brick refused the command or failed to execute it; it does not say why"
-            complain(view.target, "error_reply", reason)
-            local first = request and operations.summary_of(request.body).first
+            local summary = request and operations.summary_of(request.body) or {}
+            local why = summary.remark and "in the command, " .. summary.remark or "it does not say why"
+            complain(view.target, "error_reply", "the brick refused the command or failed to execute it; " .. why)
+            local first = summary.first
             return first and "error reply to " .. first.name or "error reply"
         end
         local size = phrases.plural(stop - HEADER_SIZE, "byte")

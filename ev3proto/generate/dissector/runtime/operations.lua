@@ -7,7 +7,7 @@ do
     local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
     local new_range = Tvb.range
     local select_operation, read_arguments = reading.select_operation, reading.read_arguments
-    local argument_text, plural = phrases.argument_text, phrases.plural
+    local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
     local NO_LENGTHS = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
@@ -35,12 +35,14 @@ do
 
     -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
     -- frame's `base` there; the requested memory; the operation, where it starts, and the lengths that its arguments
-    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; without a
-    -- tree, the `complaints` and the `outputs`. Local variables are faster than a table for the many arguments.
+    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
+    -- `remark` on an argument; without a tree, the `complaints` and the `outputs`. Local variables are faster than a
+    -- table for the many arguments.
     local heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond
-    local complaints, outputs
+    local remark, complaints, outputs
 
-    local function report(item, kind, text)
+    local function report(item, kind, at, text)
+        remark = remark or format("at offset %d: %s", at, text)
         if item then
             complain(item, kind, text)
         else
@@ -49,23 +51,23 @@ do
     end
 
     -- Adds the expert information for a variable whose index the brick refuses.
-    local function complain_of_index(item, parameter, encoding, index, alignment)
+    local function complain_of_index(item, at, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
         local variable = argument_text(parameter, encoding, index)
-        report(item, "misaligned", format(reason, parameter.name, sort, alignment, variable))
+        report(item, "misaligned", at, format(reason, parameter.name, sort, alignment, variable))
     end
 
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
     -- the first variable beyond that memory is reported.
-    local function check_variable(item, parameter, encoding, index)
+    local function check_variable(item, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
             size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
-        if index % alignment ~= 0 then complain_of_index(item, parameter, encoding, index, alignment) end
+        if index % alignment ~= 0 then complain_of_index(item, at, parameter, encoding, index, alignment) end
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
@@ -74,9 +76,14 @@ do
         end
         if index + size <= asked then return end
         is_beyond = true
-        report(item, "beyond_memory", format(
+        report(item, "beyond_memory", at, format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+    end
+
+    local function check_constant(item, at, reason, ...)
+        if not reason then return end
+        report(item, find(reason, "E204", 1, true) and "refused" or "misread", at, format(reason, ...))
     end
 
     -- Appends an argument to the line of its operation.
@@ -112,13 +119,19 @@ do
             if after > at + 1 then set_len(item, after - at) end
         end
         if encoding.scope then
-            check_variable(item, parameter, encoding, value)
+            check_variable(item, at, parameter, encoding, value)
             -- An address is the place of a value, not a value.
             if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
-        elseif parameter.tells_length and reply_values.tells_length(parameter, encoding) then
-            lengths[parameter.name] = value
+        else
+            if parameter.tells_length and reply_values.tells_length(parameter, encoding) then
+                lengths[parameter.name] = value
+            end
+            local range = parameter.range
+            if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
+                check_constant(item, at, misuse_of(parameter, encoding, value, operation.name))
+            end
         end
         if item then add(item, ENCODING, range, encoding.label) end
         if said and parameter.key then say_argument(parameter, encoding, value) end
@@ -141,6 +154,7 @@ do
     local function read(text, at, item, view, asked_globals, asked_locals)
         local first, phrase, others, fault = nil, "", {}, nil
         heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
+        remark = nil
         if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
@@ -155,7 +169,7 @@ do
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, show_argument, not is_said)
+            after, offset, reason, kind = read_arguments(selected, text, after, show_argument)
             if not first then
                 first, phrase = selected, said
             else
@@ -172,6 +186,7 @@ do
         if not first then return "", at, fault end
         local line = first.name .. phrase
         if others[1] then line = line .. " " .. phrases.others_text(others) end
+        if remark then line = format("%s [%s]", line, remark) end
         return line, at, fault, first
     end
 
@@ -201,6 +216,7 @@ do
         local line, after, fault, first = read(text, COMMAND_HEADER_SIZE, nil, nil, memory_sizes(text))
         summary = {
             line = line, after = after, fault = fault, first = first, complaints = complaints, outputs = outputs,
+            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
         }
         if summary_count == MOST_SUMMARIES then operations.forget() end
         summaries[body], summary_count = summary, summary_count + 1

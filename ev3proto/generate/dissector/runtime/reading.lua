@@ -129,7 +129,16 @@ do
                 return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
             end
             if not commands[value] then
-                return nil, at + 1, format("%s has no CMD %d", operation.name, value), "unknown_cmd"
+                local numbers, known = {}, {}
+                for number in pairs(commands) do
+                    numbers[#numbers + 1] = number
+                end
+                table.sort(numbers)
+                for index = 1, math.min(#numbers, 3) do
+                    known[index] = numbers[index] .. " " .. commands[numbers[index]].name:match("%.(.+)$")
+                end
+                local reason = "%s has no CMD %d (it has %s, ...)"
+                return nil, at + 1, format(reason, operation.name, value, concat(known, ", ")), "unknown_cmd"
             end
             operation = commands[value]
         end
@@ -149,10 +158,9 @@ do
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
-    -- parameter, encoding, value, and the offsets of its first byte and after its last; with `is_brief` only variables
-    -- and lengths. Returns the offset after the last one that could be read, and after a fault its offset, reason and
-    -- kind.
-    function reading.read_arguments(operation, text, at, visit, is_brief)
+    -- parameter, encoding, value, and the offsets of its first byte and after its last. Returns the offset after the
+    -- last one that could be read, and after a fault its offset, reason and kind.
+    function reading.read_arguments(operation, text, at, visit)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -161,9 +169,7 @@ do
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
-            if not is_brief or encoding.scope or parameter.tells_length then
-                visit(parameter, encoding, value, at, after)
-            end
+            visit(parameter, encoding, value, at, after)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
                     element_type = FORMAT_TYPES[value] or element_type

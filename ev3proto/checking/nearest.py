@@ -43,6 +43,7 @@ SURE = 3.6
 
 _MOST = 8.0  # the cost above which nothing is said: too many other slips are as likely
 _MARGIN = 0.4  # how much better than silence
+_CLEAR = 1.1  # how much better than all others a fix is
 _TIE = 0.7  # the difference up to which two are equally likely
 _REPEATED, _MOST_REPEATED = 0.7, 8  # the cost of the same slip again, and how often it is looked for
 _FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is looked for, and their cost at most
@@ -180,7 +181,8 @@ class _Search:
             is_new = all(_place(one) != _place(other) for other in said)
             if one.cost <= right[0].cost + _TIE and is_new and len(said) < 2:
                 said.append(one)
-        return tuple(_suggestion(one, is_alone=len(said) == 1) for one in said)
+        is_clear = all(one.cost > said[0].cost + _CLEAR for one in right if one is not said[0])
+        return tuple(_suggestion(one, is_clear=is_clear) for one in said)
 
     # Judging
 
@@ -345,7 +347,7 @@ class _Search:
                     continue
                 new, price = self._applied(frame, edit)
                 if is_clean and edit.guess:
-                    price += 1.0
+                    price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
                 if before is not None:
                     price = before.price + _REPEATED
                 edits = (edit,) if before is None else (*before.edits, edit)
@@ -414,7 +416,7 @@ def _with_memory(frame: bytes, dialect: str) -> bytes:
     return frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
 
 
-def _suggestion(judged: _Judged, *, is_alone: bool) -> Suggestion:
+def _suggestion(judged: _Judged, *, is_clear: bool) -> Suggestion:
     edits, frame = judged.candidate.edits, judged.candidate.frame
     first = edits[0]
     message = SLIPS[first.kind].sentence.format(*first.words)
@@ -425,5 +427,5 @@ def _suggestion(judged: _Judged, *, is_alone: bool) -> Suggestion:
         moved = len(edit.new) - edit.end + edit.at
         unknown = [(at + moved if at >= edit.end else at, size) for at, size in unknown]
         unknown += [(edit.at, edit.guess)] if edit.guess else []
-    is_sure = is_alone and not unknown and judged.doubt <= SURE and first.kind not in CHOICES
+    is_sure = is_clear and not unknown and judged.doubt <= SURE and first.kind not in CHOICES
     return Suggestion(first.kind, first.at, first.end - first.at, message, frame, tuple(unknown), is_sure)

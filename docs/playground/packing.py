@@ -20,7 +20,6 @@ WHOLE = ("bridge", "pyodide", "_pyodide")
 
 ROOTS = (
     "site",
-    *(f"ev3proto.cli.{name}" for name in ("check", "decode", "timeline")),
     *(f"ev3proto.generate.captures.{carrier}" for carrier in ("bluetooth", "usb", "wifi")),
     *(
         f"encodings.{name}"

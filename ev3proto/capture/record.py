@@ -220,8 +220,6 @@ class Record:
         entry = place_record(self)
         if self.request is not None:
             entry |= {"answers": self.request.number, "latency": self.latency}
-        if self.note is not None:
-            entry["note"] = self.note
         return entry
 
     @property
@@ -239,6 +237,11 @@ class Record:
     def unknown(self) -> frozenset[int]:
         """Offsets in the frame of bytes that a text does not give, which were read as zero."""
         return frozenset() if self.written is None else self.written.unknown
+
+    @property
+    def is_pasted(self) -> bool:
+        """Whether its bytes are in a text, and were not made from assembly or JSON."""
+        return self.written is not None and self.written.column is not None
 
     @property
     def is_cut(self) -> bool:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import click
 
+from ev3proto.capture.record import Record
 from ev3proto.checking.checking import check as check_frame
 from ev3proto.checking.codes import CODES, Code
 from ev3proto.checking.fixing import fix
@@ -18,24 +19,21 @@ from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.annotations import GitHub, Sarif
 from ev3proto.cli.check_output import SEVERITIES, Checked, JsonOutput, Output, Place, SourceFinding, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
-from ev3proto.cli.inputs import Frame, Inputs, Takes, Whole, looks_like_assembly
-from ev3proto.cli.kinds import Kind, introduction
 from ev3proto.cli.options import given_options, incompatible, json_option
 from ev3proto.cli.output import Printer, complain, say_json
-from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.words import Source, sources
+from ev3proto.cli.problems import Other, Problems
+from ev3proto.cli.reading import made_of, reading_options
+from ev3proto.cli.words import named
 from ev3proto.errors import counted, near_misses
-from ev3proto.messages import Message
+from ev3proto.reading.items import Image, Source, SourceKind
+from ev3proto.reading.kinds import introduction
+from ev3proto.reading.options import Options
+from ev3proto.reading.parts import Reading
+from ev3proto.reading.texts import looks_like_assembly
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.text.diagnostics import diagnostics, explanation, grouped_hex
 from ev3proto.text.fixed_text import fix_pieces, unix_lines
 from ev3proto.text.paste import read_text
-from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.spans import Role
-
-if TYPE_CHECKING:
-    from ev3proto.capture.record import Record
-    from ev3proto.cli.captures import CaptureSource
 
 FORMATS: dict[str, Callable[[str], Output]] = {
     "text": TextOutput,
@@ -87,86 +85,102 @@ class CheckOptions:
 
 
 class Checking:
-    """Checks what the inputs have, and counts the findings."""
+    """Checks what is read, and counts the findings."""
 
-    def __init__(self, inputs: Inputs, options: CheckOptions, output: Output) -> None:
-        self._inputs = inputs
+    def __init__(self, reading: Reading, options: CheckOptions, output: Output, problems: Problems) -> None:
+        self._reading = reading
         self._options = options
         self._output = output
-        self._dialect = inputs.reading.dialect
-        self._is_single = len(inputs.sources) == 1
+        self._problems = problems
+        self._dialect = reading.options.dialect
+        self._is_single = len(reading.parts) == 1
         self._first: tuple[bytes, Place] | None = None
         self._suggestions = Suggestions()
         self.tally = Tally()
 
     def run(self) -> None:
         """Checks everything, and shows the numbers of frames and findings."""
-        for content in self._inputs:
-            if isinstance(content, Frame):
-                self._take(content)
-            elif not isinstance(content, Whole):
-                self._capture(content)
-            elif content.kind is Kind.PROGRAM:
-                self._image(content.source, content.data)
-            elif content.kind is Kind.SOURCE:
-                self._code(content.source, content.data)
-            else:
-                self._edit(content.source, content.data)
+        tally, problems = self.tally, self._problems
+        for part in self._reading.each():
+            before = tally.frames + tally.programs + problems.errors
+            for event in problems.beside(part):
+                self._check(event)
+            if before == tally.frames + tally.programs + problems.errors and not part.is_text:
+                problems.show(part.nothing())
         self._take_first(is_alone=True)
         if self._suggestions.is_stopped:
             complain("what was meant is said of the first 100 different frames with findings only")
         self._output.end(self.tally, is_quiet=self._options.quiet)
 
-    def _take(self, frame: Frame) -> None:
-        """Checks a frame of a text. The first one waits for the second: some hints are for a frame alone."""
-        if not self._is_checked(frame):
+    def _check(self, event: Other) -> None:
+        if isinstance(event, Record):
+            self._take(event)
+        elif isinstance(event, Image):
+            self._image(event.place.name, event.data)
+        elif isinstance(event, Source):
+            _OF_SOURCES[event.kind](self, event)
+
+    def _take(self, record: Record) -> None:
+        """Checks a frame. The first one of a text waits for the second: some hints are for a frame alone."""
+        if not self._is_checked(record):
             return
-        data, pasted, place = frame.message.build(), frame.pasted, self._place(frame)
-        is_logged = pasted is not None and (pasted.direction is not None or pasted.time is not None)
-        if self._first is None and not self.tally.frames and (frame.source.is_frame or not is_logged):
-            self._first = data, place
+        written, place = record.written, self._place(record)
+        if written is None:
+            self._take_first(is_alone=False)
+            self._frame(record.frame, place, self._options.carrier or str(record.carrier))
+            return
+        is_logged = written.direction is not None or written.time is not None
+        if self._first is None and not self.tally.frames and (not place.is_among or not is_logged):
+            self._first = record.frame, place
             return
         self._take_first(is_alone=False)
-        self._frame(data, place, self._options.carrier)
+        self._frame(record.frame, place, self._options.carrier)
 
-    def _is_checked(self, frame: Frame) -> bool:
-        """Whether a frame of a text is a whole command; counts others."""
-        if frame.is_from_brick:
+    def _is_checked(self, record: Record) -> bool:
+        """Whether a frame is a whole command; counts others."""
+        if record.is_from_brick:
             self.tally.replies += 1
             return False
-        if frame.is_cut:
-            size = len(frame.message.build())
-            self._inputs.complain(f"{frame.place}: cannot check a frame that is cut off after {size} bytes")
-        return not frame.is_cut
+        if record.is_cut:
+            size = len(record.frame)
+            self._problems.wrong(f"{record.place}: cannot check a frame that is cut off after {size} bytes")
+        return not record.is_cut
 
-    def _place(self, frame: Frame) -> Place:
-        if frame.source.is_frame:
+    def _place(self, record: Record) -> Place:
+        where, written = record.place, record.written
+        if written is not None and (written.is_typed or not where.name):
             number = self.tally.frames + (self._first is not None) + 1
             return Place("" if self._is_single else f"frame {number}", {})
-        facts: dict[str, Any] = {"source": frame.source.label}
-        if frame.pasted is not None:
-            facts |= {"line": frame.pasted.line, "column": frame.pasted.column}
-        return Place(frame.place, facts, is_among=True)
+        facts: dict[str, Any] = {"source": where.name}
+        if written is None:
+            facts["packet"] = record.number
+        elif written.column is not None:
+            facts |= {"line": where.line, "column": written.column}
+        return Place(str(where), facts, is_among=True)
 
     def _take_first(self, *, is_alone: bool) -> None:
         if self._first is not None:
             (frame, place), self._first = self._first, None
             self._frame(frame, place, self._options.carrier, is_alone=is_alone and not self.tally.replies)
 
-    def _edit(self, source: Source, data: bytes) -> None:
+    def _assembly(self, source: Source) -> None:
+        """Checks the frames of assembly as `encode` and `send` make them, but leaves its values to the check."""
+        for record in made_of(source, self._reading, self._problems, unchecked=True):
+            self._take(record)
+
+    def _edit(self, source: Source) -> None:
         """Prints a text with its frames fixed, and all else on standard error."""
-        output = self._output
+        output, data, problems = self._output, source.text, self._problems
         assert isinstance(output, TextOutput), "only text is edited"
+        assert isinstance(data, bytes)
         if len(data) > MOST_EDITED:
             mib = MOST_EDITED >> 20
-            self._inputs.complain(f"{source.label}: --fix takes a text of at most {mib} MiB; split it")
+            problems.wrong(f"{source.place}: --fix takes a text of at most {mib} MiB; split it")
             return
         contents = EditedFile.read(data)
         text = contents.text
         if looks_like_assembly("".join([*introduction(unix_lines(text))][-1:])):
-            for content in self._inputs.text(source, unix_lines(text)):
-                if isinstance(content, Frame):
-                    self._take(content)
+            self._assembly(source._replace(text="".join(unix_lines(text))))
             return
         found = list(read_text(unix_lines(text)))
         made = fix_pieces(text, found, dialect=self._dialect, carrier=self._options.carrier)
@@ -174,55 +188,44 @@ class Checking:
         contents.write(made.text)
         output.is_edited = True
         edited = iter(made.frames)
-        for frame in (frame for pasted in found for frame in self._inputs.pasted(source, pasted)):
-            if self._is_checked(frame):
-                one, place = next(edited), self._place(frame)
+        for record in problems.records(self._reading.part.pieces(found)):
+            if self._is_checked(record):
+                one, place = next(edited), self._place(record)
                 self.tally.frames += 1
                 if self._counts(one.report, place):
                     output.edited(one, self._options.shown(one.fix.report), place)
 
-    def _capture(self, capture: CaptureSource) -> None:
-        """Checks the commands in a capture, each for its carrier."""
-        self._take_first(is_alone=False)
-        for record in capture.records():
-            if is_reply(record):
-                self.tally.replies += 1
-                continue
-            capture.taken += 1
-            facts = {"source": capture.label, capture.unit: record.number}
-            place = Place(capture.where(record.number), facts, is_among=True)
-            self._frame(record.frame, place, self._options.carrier or capture.carrier(record))
-
-    def _image(self, source: Source, image: bytes, found: Sequence[SourceFinding] = ()) -> None:
+    def _image(self, name: str, image: bytes, found: Sequence[SourceFinding] = ()) -> None:
         """Checks a program image, whose source may have warnings."""
         from ev3proto.program import check_program  # takes 9 ms, which frames do not need
 
         if self._options.fixes:
-            raise click.UsageError(f"--fix is for frames, but {source.label[:60]} is a program")
+            raise click.UsageError(f"--fix is for frames, but {name[:60]} is a program")
         self._take_first(is_alone=False)
         self.tally.programs += 1
-        place = Place("" if self._is_single else source.label, {"source": source.label})
+        place = Place("" if self._is_single else name, {"source": name})
         self._show(Checked(place, check_program(image, dialect=self._dialect), is_program=True, source=found))
 
-    def _code(self, source: Source, code: bytes) -> None:
+    def _code(self, source: Source) -> None:
         """Shows the errors of a program's source, or checks the image that it assembles to."""
         from ev3proto.program import assemble  # takes 9 ms, which frames do not need
         from ev3proto.text.assembly.errors import AssemblyError  # a part of that
 
+        name = source.place.name
         try:
-            made = assemble(code)
+            made = assemble(source.text)
         except AssemblyError as error:
             errors = [SourceFinding(Severity.ERROR, one) for one in (error, *error.others)]
             self.tally.programs += 1
-            self._inputs.at_fault = True
+            self._problems.errors += 1
             self.tally.findings["error"] += len(errors)
             if not self._options.quiet:
-                self._output.show(Checked(Place("", {"source": source.label}), None, source=errors))
+                self._output.show(Checked(Place("", {"source": name}), None, source=errors))
             return
         warnings = [SourceFinding(Severity.WARNING, one) for one in made.warnings]
         self.tally.findings["warning"] += len(warnings)
-        self._inputs.at_fault |= self._options.strict and bool(warnings)
-        self._image(source, made.image, () if "warning" in self._options.hidden else warnings)
+        self._problems.errors += self._options.strict and bool(warnings)
+        self._image(name, made.image, () if "warning" in self._options.hidden else warnings)
 
     def _frame(self, frame: bytes, place: Place, carrier: str | None, *, is_alone: bool = False) -> None:
         self.tally.frames += 1
@@ -246,22 +249,15 @@ class Checking:
         self.tally.add(report.findings)
         severities = {finding.severity for finding in report.findings}
         if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
-            self._inputs.at_fault = True
+            self._problems.errors += 1
         return not self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
 
 
-def _assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
-    """Makes messages of assembly as `encode` and `send` do, but leaves its values to the check."""
-    from ev3proto.cli.assembly import assembled_messages  # takes 8 ms, which frames do not need
-
-    return assembled_messages(source, lines, inputs.complain, dialect=inputs.reading.dialect, unchecked=True)
-
-
-def is_reply(record: Record) -> bool:
-    """Whether a frame comes from the brick, by the capture, or else by its type."""
-    if record.direction is not None:
-        return record.direction == "received"
-    return record.message.type is not None and not record.message.type.is_command
+_OF_SOURCES = {
+    SourceKind.FRAMES: Checking._assembly,
+    SourceKind.PROGRAM: Checking._code,
+    SourceKind.TEXT: Checking._edit,
+}
 
 
 @click.command()
@@ -296,7 +292,7 @@ def check(
     style: str | None,
     carrier: str | None,
     code: str | None,
-    reading: CaptureOptions,
+    reading: Options,
 ) -> None:
     """Checks whether the brick accepts a frame, which byte is wrong if not, and how to fix it.
 
@@ -337,22 +333,16 @@ def check(
     style = style or ("json" if as_json else "text")
     options = CheckOptions(fixes, strict, carrier, frozenset(hidden), quiet, whole)
     output = FORMATS[style](reading.dialect)
-    takes = Takes(
-        wanted="command",
-        making=lambda line: _assembly if looks_like_assembly(line) else None,
-        programs=True,
-        sources=True,
-        edits=MOST_EDITED if fixes and style == "text" else 0,
-    )
-    inputs = Inputs(sources(names), reading, takes, output.complaint)
-    checking = Checking(inputs, options, output)
+    problems = Problems(heard=output.complaint)
+    is_edited = fixes and style == "text" and reading.filter is None and reading.missing is None
+    sources = replace(reading, whole=MOST_EDITED * is_edited, wanted="command")
+    checking = Checking(Reading(named(names), sources), options, output, problems)
     checking.run()
     tally = checking.tally
-    if tally.replies and not tally.frames and not tally.programs and not inputs.at_fault:
+    if tally.replies and not tally.frames and not tally.programs and not problems.errors:
         replies = counted(tally.replies, "frame")
-        complain(f"no command found, only {replies} from the brick; `ev3proto check` checks commands")
-        inputs.at_fault = True
-    sys.exit(1 if inputs.at_fault else 0)
+        problems.wrong(f"no command found, only {replies} from the brick; `ev3proto check` checks commands")
+    sys.exit(problems.status)
 
 
 def _explain(name: str, *, as_json: bool, dialect: str) -> None:
@@ -370,17 +360,10 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
             printer.lines(
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
-        elif code.code in PROGRAM_CODES:
-            # These take 9 ms, which codes of frames do not need.
-            from ev3proto.program import check_program
-            from ev3proto.program.report import program_findings
-
-            program = check_program(code.example, dialect=dialect)
-            printer.lines(explanation(code, program_findings(program, program.findings), spaced_hex))
         else:
-            report = check_frame(code.example, dialect=dialect, carrier=code.carrier, alone=code.alone)
-            lines = diagnostics(report, dialect=dialect)
-            printer.lines(explanation(code, lines, lambda frame: grouped_hex(frame, dialect)))
+            from ev3proto.program.explaining import explained  # takes 9 ms, which frames do not need
+
+            printer.lines(explained(code, dialect=dialect))
 
 
 def _code_entry(code: Code) -> dict[str, Any]:

@@ -3,125 +3,111 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
 
-from ev3proto.cli.inputs import Content, Frame, Inputs, Takes, Whole
+from ev3proto.capture.record import Announcement, Record
 from ev3proto.cli.options import incompatible
-from ev3proto.cli.output import complain
-from ev3proto.cli.reading import MIB, CaptureOptions, given_up, reading_options
+from ev3proto.cli.problems import Captured, Problems
+from ev3proto.cli.reading import reading_options
+from ev3proto.cli.recorded import Dialogues, matching, show_announcement, show_record
 from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.words import Source, sources
-from ev3proto.dialogue import Dialogue
-from ev3proto.messages import DirectCommand, Message, Operation
-from ev3proto.schema.frame import parse
-from ev3proto.tables.declaration import Effect
-from ev3proto.text.phrases import Seen, command_spans
-from ev3proto.text.spans import plain_text
+from ev3proto.cli.words import named
+from ev3proto.reading.faults import fault_of
+from ev3proto.reading.items import Event, Image, Source
+from ev3proto.reading.options import Options, Sources
+from ev3proto.reading.parts import Reading
 
 if TYPE_CHECKING:
-    from ev3proto.checking.report import Suggestion
-    from ev3proto.cli.captures import CaptureSource
-
+    from ev3proto.capture.filter import Filter
 
 PROGRAM_FORMATS = ("listing",)
 """Formats for programs only."""
 
 
-class Decoding:
-    """Shows what the inputs have."""
+class _Decoding:
+    """Shows what is read."""
 
-    def __init__(self, show: Show, inputs: Inputs, *, as_dialogues: bool = False, as_programs: bool = False) -> None:
-        self.inputs = inputs
+    def __init__(self, show: Show, reading: Reading) -> None:
         self._show = show
-        self._as_dialogues = as_dialogues
-        self._as_programs = as_programs
-        self._dialogue = Dialogue(inputs.reading.memory * MIB)
+        self._reading = reading
+        self._dialect = reading.options.dialect
+        self.problems = Problems()
 
-    def run(self) -> None:
-        """Shows everything."""
-        for content in self.inputs:
-            self.take(content)
-        if self._dialogue.forgotten:
-            complain(given_up("the input", self._dialogue.forgotten, self.inputs.reading.memory))
+    def messages(self) -> None:
+        """Shows messages, the texts around them, and programs."""
+        is_filtered = self._reading.options.filter is not None
+        for event in self._beside_images(self._reading.events()):
+            start_ns = self._reading.part.account.first_ns or 0
+            if isinstance(event, Announcement):
+                show_announcement(self._show, event, start_ns)
+            elif isinstance(event, Record):
+                is_text = event.written is not None and not is_filtered
+                if is_text:
+                    self._show.exchange(event.exchange, event.seen, event.rest)
+                else:
+                    show_record(self._show, event, start_ns)
+                self._complain_of(event, is_text=is_text)
 
-    def take(self, content: Content) -> None:
-        """Shows one thing."""
-        if isinstance(content, Frame):
-            self.frame(content)
-        elif isinstance(content, Whole):
-            self.program(content.source, content.data)
-        else:
-            self.capture(content)
+    def dialogues(self, chosen: Filter | None) -> None:
+        """Shows each command with its reply, if the two match the filter."""
+        dialogues = Dialogues(self._show)
+        for part in self._reading.each():
+            before = self._show.count, self.problems.errors
+            for pair in matching(self._beside_images(part), chosen, part):
+                dialogues.show(pair, part.account.first_ns or 0)
+                for record in filter(None, pair):
+                    self._complain_of(record)
+            if before == (self._show.count, self.problems.errors):
+                self.problems.show(part.nothing(is_filtered=chosen is not None))
 
-    def capture(self, capture: CaptureSource) -> None:
-        """Shows the frames and texts of a capture, its dialogues, or the programs that it transfers."""
-        from ev3proto.cli.recorded import moved_programs, show_capture  # takes 13 ms, which frames do not need
+    def programs(self) -> None:
+        """Shows the programs that captures transfer."""
+        from ev3proto.cli.programs import moved_programs  # takes 58 ms, which frames do not need
 
-        before = self._show.count
-        if self._as_programs:
-            for origin, image in moved_programs(capture, self.inputs.complain):
-                self._shown(origin, origin, image)
-        else:
-            for record in show_capture(self._show, capture, as_dialogues=self._as_dialogues):
-                fault = record.message.fault
-                if fault is not None:
-                    self.inputs.complain(f"{capture.where(record.number)}: fault at {fault}")
-        capture.taken = self._show.count - before
+        for part in self._reading.each():
+            before = self._show.count, self.problems.errors
+            for origin, image in moved_programs(self._captured(part), part, self.problems):
+                self._image(origin, image, origin)
+            if before == (self._show.count, self.problems.errors):
+                self.problems.show(part.nothing())
 
-    def program(self, source: Source, image: bytes) -> None:
-        """Shows a program image."""
-        if self._as_programs:
-            raise click.UsageError(f"--programs is for captures, but {source.label[:60]} is a program itself")
-        self._shown(source.label, None, image)
+    def _beside_images(self, events: Iterable[Event]) -> Iterator[Event]:
+        """Yields the events, and shows programs and problems among them."""
+        for event in self.problems.beside(events):
+            if isinstance(event, Image):
+                self._image(event.place.name, event.data)
+            else:
+                yield event
 
-    def _shown(self, label: str, origin: str | None, image: bytes) -> None:
-        """Shows a program: its name in messages, its origin if that is to be shown, its image."""
+    def _captured(self, events: Iterable[Event]) -> Iterator[Captured]:
+        """Yields what is in a capture, which must not be a program itself."""
+        for event in self.problems.beside(events):
+            if isinstance(event, Image):
+                name = event.place.name[:60]
+                raise click.UsageError(f"--programs is for captures, but {name} is a program itself")
+            if not isinstance(event, Source):
+                yield event
+
+    def _image(self, label: str, image: bytes, origin: str | None = None) -> None:
+        """Shows a program: its name in messages, its image, its origin if that is to be shown."""
         from ev3proto.cli.programs import read_program  # takes 58 ms, which frames do not need
 
-        program = read_program(label, image, self.inputs.reading.dialect)
+        program = read_program(label, image, self._dialect)
         if program is None:
-            self.inputs.at_fault = True
+            self.problems.errors += 1
             return
         self._show.program(program, image, origin)
         for fault in program.faults:
-            self.inputs.complain(f"{label}: fault at {fault}")
+            self.problems.wrong(f"{label}: fault at {fault}")
 
-    def frame(self, frame: Frame) -> None:
-        """Shows a frame of a text."""
-        fault, pasted, is_cut, seen = frame.message.fault, frame.pasted, frame.is_cut, Seen()
-        if pasted is not None:
-            unknown = frozenset([one.offset - frame.start for one in pasted.unknown])
-            seen = Seen(pasted.direction, pasted.time, is_cut, unknown=unknown)
-        self._show.exchange(self._dialogue.follow(frame.message), seen, frame.rest)
-        never, dialect = _never_run(frame.message), self.inputs.reading.dialect
-        if fault is not None and not is_cut:
-            meant = [f"; did you mean: {one.message}?" for one in _meant(frame.message, dialect)]
-            self.inputs.complain(f"{frame.place}: fault at {fault}{''.join(meant)}")
-        elif frame.is_from_brick and seen.direction is None:
-            # A command without its counter is a reply by its type.
-            for one in _meant(frame.message, dialect):
-                content = plain_text(command_spans(parse(one.frame, strict=False, dialect=dialect)))
-                complain(f"{frame.place}: did you mean {content}? {one.message}")
-        elif never is not None:
-            said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
-            self.inputs.complain(f"{frame.place}: {said}; `ev3proto check` says more")
-
-
-def _meant(message: Message, dialect: str) -> Iterator[Suggestion]:
-    """Yields what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""
-    from ev3proto.checking.checking import check  # takes 15 ms, which right frames do not need
-
-    yield from check(message, dialect=dialect, alone=True).nearest
-
-
-def _never_run(message: Message) -> Operation | None:
-    """Returns the first operation of a command that no brick runs: bytes of something else look like that."""
-    operations = message.operations if isinstance(message, DirectCommand) else ()
-    never = (each for each in operations if Effect.NEVER_RUNS in each.schema.declaration.effects)
-    return next(never, None)
+    def _complain_of(self, record: Record, *, is_text: bool = False) -> None:
+        fault = fault_of(record, dialect=self._dialect, is_text=is_text)
+        if fault is not None:
+            self.problems.show(fault)
 
 
 @click.command()
@@ -144,7 +130,7 @@ def decode(
     as_json: bool,
     as_dialogues: bool,
     as_programs: bool,
-    reading: CaptureOptions,
+    reading: Options,
 ) -> None:
     """Shows the contents of frames, captures and programs.
 
@@ -169,8 +155,16 @@ def decode(
             raise incompatible("--json", f"--format {style}")
         if as_dialogues:
             raise incompatible("--dialogues", f"--format {style}")
-    show = Show("json" if as_json else style)
-    takes = Takes(wanted="program" if as_programs else "frame", programs=True, as_capture=as_dialogues or as_programs)
-    inputs = Inputs(sources(names), reading, takes)
-    Decoding(show, inputs, as_dialogues=as_dialogues, as_programs=as_programs).run()
-    sys.exit(1 if inputs.at_fault else 0)
+    chosen, options = reading.filter, replace(reading, sources=Sources.NO)
+    if as_dialogues:
+        options = replace(options, filter=None)
+    if as_programs:
+        options = replace(options, wanted="program")
+    decoding = _Decoding(Show("json" if as_json else style), Reading(named(names), options))
+    if as_programs:
+        decoding.programs()
+    elif as_dialogues:
+        decoding.dialogues(chosen)
+    else:
+        decoding.messages()
+    sys.exit(decoding.problems.status)

@@ -4,38 +4,30 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
-from ev3proto.cli.assembly import assembled_messages
-from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import Frame, Inputs, Making, Takes
+from ev3proto.capture.record import Record
 from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
 from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
-from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.words import Source, sources
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import made_of, reading_options
+from ev3proto.cli.words import named
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
-from ev3proto.schema.frame import parse
+from ev3proto.reading.items import Source
+from ev3proto.reading.options import Options, Sources
+from ev3proto.reading.parts import Reading
 from ev3proto.tables.frame import COUNTERS
 from ev3proto.text.assembly.disassembly import assembly
-from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
 from ev3proto.text.phrases import Seen, heading
 from ev3proto.text.spans import plain_text
-
-_TAKES = Takes(
-    nothing="nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints"
-    " them, or frames in hex such as 06:00|2A:00|80|00:00|01",
-    argument="nor assembly nor a frame",
-    accepted="what can be encoded is assembly, JSON, frames in hex, or a capture",
-    makes_first=True,
-)
 
 RBF, SUFFIX = "rbf", ".rbf"
 """The format of programs: their images."""
@@ -59,69 +51,36 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
 """The formats of frames: functions of the message, its number from 1 on, and the dialogue so far."""
 
 
-def inputs_for(
-    names: Sequence[str],
-    reading: CaptureOptions,
-    *,
-    counter: int = 0,
-    reply: bool | None = None,
-    unchecked: bool = False,
-) -> Inputs:
-    """Returns the inputs that the words name, also assembly, with its options, and JSON."""
+class Making(NamedTuple):
+    """How messages are made of assembly.
 
-    def assembly(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
-        nonlocal counter
-        for message in assembled_messages(
-            source,
-            lines,
-            inputs.complain,
-            dialect=reading.dialect,
-            counter=counter,
-            reply=reply,
-            unchecked=unchecked,
-        ):
-            yield message
-            counter = (message.counter + 1) % COUNTERS
+    counter    message counter of the first one that states none
+    reply      whether those without a header want a reply; None: if their operations return values
+    unchecked  accept values that mean nothing to the brick
+    """
 
-    def making(line: str) -> Making | None:
-        return _records if _is_record(line) else assembly if is_assembly(line) or OBJECT.match(line) else None
-
-    return Inputs(sources(names), reading, _TAKES._replace(making=making))
+    counter: int = 0
+    reply: bool | None = None
+    unchecked: bool = False
 
 
-def encoded(inputs: Inputs, *, faults: bool = True) -> Iterator[Message]:
-    """Yields the messages of the inputs, also faulty ones, unless they are cut off; reports faults if wanted."""
-    for content in inputs:
-        if isinstance(content, CaptureSource):
-            for record in content.records():
-                content.taken += 1
+def encoded(
+    names: Sequence[str], options: Options, making: Making, problems: Problems, *, faults: bool = True
+) -> Iterator[Message]:
+    """Yields the messages that words name, also assembly and JSON, and faulty ones unless they are cut off."""
+    counter = making.counter
+    reading = Reading(named(names), replace(options, sources=Sources.FIRST, images=False))
+    for event in problems.beside(reading):
+        if isinstance(event, Source):
+            for record in made_of(event, reading, problems, **making._replace(counter=counter)._asdict()):
                 yield record.message
-        elif isinstance(content, Frame) and content.is_cut:
-            size = len(content.message.build())
-            inputs.complain(f"{content.place}: cannot encode a frame that is cut off after {size} bytes")
-        elif isinstance(content, Frame):
-            yield content.message
-            if faults and content.pasted is not None and content.message.fault is not None:
-                inputs.complain(f"{content.place}: fault at {content.message.fault}")
-
-
-def _records(inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
-    """Yields the messages of JSON objects, and reports those that are wrong."""
-    dialect = inputs.reading.dialect
-    try:
-        for number, entry in read_records(lines):
-            try:
-                for frame in frames_in(entry, dialect=dialect):
-                    yield parse(frame, strict=False, dialect=dialect)
-            except RecordError as error:
-                inputs.complain(f"{source.label[:60]}, line {number}: {error}")
-    except RecordError as error:
-        inputs.complain(f"{source.label[:60]}, {error}")
-
-
-def _is_record(line: str) -> bool:
-    """Whether a JSON object starts in a line; a brace alone counts, because C arrays have a name before it."""
-    return line == "{" or (line.startswith("{") and line[1:].lstrip().startswith('"'))
+                counter = (record.message.counter + 1) % COUNTERS
+        elif isinstance(event, Record) and event.is_cut:
+            problems.wrong(f"{event.place}: cannot encode a frame that is cut off after {len(event.frame)} bytes")
+        elif isinstance(event, Record):
+            yield event.message
+            if faults and event.is_pasted and event.message.fault is not None:
+                problems.wrong(f"{event.place}: fault at {event.message.fault}")
 
 
 class _Version(click.ParamType):
@@ -179,7 +138,7 @@ def encode(
     source_dialect: str | None,
     version: int | None,
     shortest: bool,
-    reading: CaptureOptions,
+    reading: Options,
 ) -> None:
     """Builds frames from assembly, JSON or other notations, and programs from their sources.
 
@@ -201,7 +160,7 @@ def encode(
         about_frames = given_options("counter", "reply", "unchecked", "filter", "no_length", "only_operations")
         if about_frames:
             raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
-        found = sources(names)
+        found = named(names)
         from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
 
         sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
@@ -210,10 +169,9 @@ def encode(
     form = form or "hex"
     if form == RAW:
         refuse_terminal(path, "raw bytes", "them")
-    inputs = inputs_for(names, reading, counter=counter, reply=reply, unchecked=unchecked)
-    dialogue, number = Dialogue(), 0
+    dialogue, number, problems = Dialogue(), 0, Problems()
     with failing_to("written", path), output_to(None if path is None else Path(path)) as stream:
-        for number, message in enumerate(encoded(inputs), 1):
+        for number, message in enumerate(encoded(names, reading, Making(counter, reply, unchecked), problems), 1):
             data = FORMS[form](message, number, dialogue)
             if path is None and isinstance(data, str):
                 say(data)
@@ -222,4 +180,4 @@ def encode(
         if not number:
             # Nothing was written yet, and an existing file stays.
             sys.exit(1)
-    sys.exit(1 if inputs.at_fault else 0)
+    sys.exit(problems.status)

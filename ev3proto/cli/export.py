@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
+from ev3proto.capture.record import Record
 from ev3proto.capture.text_log import Clock
-from ev3proto.cli.captures import CaptureSource
 from ev3proto.cli.commands import Group
-from ev3proto.cli.inputs import Frame, Inputs, Takes
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
     check_option,
@@ -23,8 +23,9 @@ from ev3proto.cli.output import (
     refuse_terminal,
     write_text,
 )
-from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.words import sources
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import reading_options
+from ev3proto.cli.words import named
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
@@ -33,6 +34,8 @@ from ev3proto.generate.exported import EXPORTED
 from ev3proto.generate.javascript import build as module
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
+from ev3proto.reading.options import Options, Sources
+from ev3proto.reading.parts import Reading
 from ev3proto.tables.carriers import CARRIERS, DEFAULT_CARRIER
 
 _MOST_INTERVAL = 3_600_000.0
@@ -142,19 +145,16 @@ def everything(folder: Path, check: bool) -> None:
 # Frames
 
 
-def _timed_frames(inputs: Inputs) -> Iterator[tuple[bytes | TimedFrame, str]]:
-    """Yields the frames, at the times of captures or texts or after the frame before, and their places."""
+def _timed_frames(records: Iterable[Record], *, is_filtered: bool) -> Iterator[tuple[bytes | TimedFrame, Record]]:
+    """Yields the frames, at the times of captures or texts or after the frame before."""
     clock, has_times = Clock(), None
-    for content in inputs:
-        if isinstance(content, Frame):
-            time = None if content.pasted is None else content.pasted.time
-            has_times = time is not None if has_times is None else has_times
-            frame = content.message.build()
-            yield TimedFrame(frame, clock.at(time)) if has_times else frame, content.place
-        elif isinstance(content, CaptureSource):
-            for record in content.records():
-                content.taken += 1
-                yield TimedFrame(record.frame, record.time_ns), content.where(record.number)
+    for record in records:
+        if record.written is None or is_filtered:
+            yield TimedFrame(record.frame, record.time_ns), record
+            continue
+        time = record.written.time
+        has_times = time is not None if has_times is None else has_times
+        yield TimedFrame(record.frame, clock.at(time)) if has_times else record.frame, record
 
 
 @export.command()
@@ -176,7 +176,7 @@ def _timed_frames(inputs: Inputs) -> Iterator[tuple[bytes | TimedFrame, str]]:
     help="Milliseconds from frame to frame; frames of captures keep their times.",
 )
 @reading_options
-def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: float, reading: CaptureOptions) -> None:
+def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: float, reading: Options) -> None:
     """Writes frames as a capture for Wireshark: a complete conversation over WiFi, USB or Bluetooth.
 
     The input is the same as for decode. Commands go from the computer to the brick, and replies back.
@@ -189,14 +189,15 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
     refuse_terminal(output, "a capture")
     with failing_to("written", output), output_to(output) as stream:
         writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
-        inputs = Inputs(sources(names), reading, Takes(is_quiet=True))
-        for frame, place in _timed_frames(inputs):
+        problems = Problems()
+        found = Reading(named(names, is_quiet=True), replace(reading, sources=Sources.NO, images=False))
+        for frame, record in _timed_frames(problems.records(found), is_filtered=reading.filter is not None):
             try:
                 writer.add(frame)
             except BuildError as error:
-                inputs.complain(f"{place}: {error}")
+                problems.wrong(f"{record.place}: {error}")
         if not writer.count:
             # Nothing was written yet, and an existing file stays.
             sys.exit(1)
         writer.close()
-    sys.exit(1 if inputs.at_fault else 0)
+    sys.exit(problems.status)

@@ -10,15 +10,14 @@ from typing import Any
 
 import click
 
-from ev3proto.capture import CaptureError
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
-from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say, say_json
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files_named
+from ev3proto.reading.items import Code
+from ev3proto.reading.options import Options
 from ev3proto.text.spans import visible
 
 
@@ -36,7 +35,7 @@ from ev3proto.text.spans import visible
 @click.option("--force", is_flag=True, help="Overwrite existing files.")
 @json_option
 def files(
-    names: tuple[str, ...], reading: CaptureOptions, folder: Path | None, listings: bool, force: bool, as_json: bool
+    names: tuple[str, ...], reading: Options, folder: Path | None, listings: bool, force: bool, as_json: bool
 ) -> None:
     """Recovers the files that were transferred to or from the brick.
 
@@ -51,14 +50,15 @@ def files(
         raise click.UsageError("--force needs -o")
 
     rows: list[tuple[str, ...]] = []
-    inputs = Inputs(files_named(names), reading, ONLY_CAPTURES)
-    for source in inputs.captures():
+    captures, problems = captures_of(names, reading), Problems(Code.NO_MATCH)
+    for part in captures.each():
+        errors, is_empty = problems.errors, True
+        events = problems.captured(part)
         if folder is None:
-            found = survey(source.events(), listings=listings)
+            found = survey(events, listings=listings)
         else:
-            found = recover(source.events(), folder, force=force, listings=listings)
-        is_empty = True
-        for recovered in _complaining(found, source):
+            found = recover(events, folder, force=force, listings=listings)
+        for recovered in _complaining(found, problems):
             is_empty = False
             if as_json:
                 say_json(_record(recovered))
@@ -67,26 +67,21 @@ def files(
             elif recovered.file is not None:
                 say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {visible(recovered.path)}")
             if folder is not None and recovered.trouble is not None:
-                complain(f"{source.where(recovered.packets[0])}: {visible(recovered.path)}: {recovered.trouble}")
-                source.status |= recovered.outcome is not FileState.REFUSED
-        source.expect_frames()
-        if is_empty and not source.status:
-            complain(f"{source.label}: no file is moved{source.passed_over}")
+                complain(f"{part.where(recovered.packets[0])}: {visible(recovered.path)}: {recovered.trouble}")
+                problems.errors += recovered.outcome is not FileState.REFUSED
+        if is_empty and problems.errors == errors:
+            complain(f"{part.label}: no file is moved{part.passed_over}")
     if rows:
-        _list(rows, f"{inputs.unit}s")
-    sys.exit(1 if inputs.at_fault else 0)
+        _list(rows, f"{captures.unit}s")
+    sys.exit(problems.status)
 
 
-def _complaining(found: Iterator[RecoveredFile], source: CaptureSource) -> Iterator[RecoveredFile]:
-    """Yields the files, and complains if that ends early."""
+def _complaining(found: Iterator[RecoveredFile], problems: Problems) -> Iterator[RecoveredFile]:
+    """Yields the files, and complains if writing them fails."""
     try:
         yield from found
-    except CaptureError as error:
-        complain(f"{source.label}: {error}")
-        source.status = 1
     except OSError as error:
-        complain(f"{error.filename2 or error.filename}: cannot be written: {error.strerror or error}")
-        source.status = 1
+        problems.wrong(f"{error.filename2 or error.filename}: cannot be written: {error.strerror or error}")
 
 
 _COLUMNS = ("path", "direction", "bytes", "of", "state", "packets", "brick")

@@ -8,13 +8,14 @@ import click
 
 from ev3proto.capture import Announcement, CaptureError, Event, Skipped, TextKind, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.cli.captures import MOST_COMPLAINTS
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain, failing_on
-from ev3proto.cli.reading import MIB, CaptureOptions, reading_options
+from ev3proto.cli.reading import reading_options
 from ev3proto.cli.recorded import Dialogues, show_announcement
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.tshark import Run, Tshark
+from ev3proto.reading.options import Options
+from ev3proto.reading.parts import MOST_SKIPPED
 
 PATIENCE_NS = 2_000_000_000
 """Time without a reply after which a command is shown as unanswered, at the next event."""
@@ -37,7 +38,7 @@ MOST_BEACONS = 256
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object a line: a command with its reply, or a text."
 )
-def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
+def live(interfaces: tuple[str, ...], reading: Options, as_json: bool) -> None:
     """Shows dialogues live, one a line, with values and latency.
 
     tshark captures, so it must be installed and have permission to capture. A command is shown when its reply arrives,
@@ -58,7 +59,7 @@ def live(interfaces: tuple[str, ...], reading: CaptureOptions, as_json: bool) ->
         _watch(run, reading, f"Capturing on {', '.join(names)}. Ctrl-C ends it.", as_json=as_json)
 
 
-def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) -> None:
+def _watch(run: Run, reading: Options, started: str, *, as_json: bool) -> None:
     """Shows what tshark captures until it ends. Raises CaptureError if it ends by itself."""
     try:
         # The output starts with the first captured packet.
@@ -66,8 +67,8 @@ def _watch(run: Run, reading: CaptureOptions, started: str, *, as_json: bool) ->
             run.output,
             dialect=reading.dialect,
             ports=reading.ports,
-            everything=reading.is_all,
-            memory=reading.memory * MIB,
+            everything=reading.everything,
+            memory=reading.memory,
         )
         complain(started)
         _Watching(reading, as_json=as_json).show(capture.events())
@@ -86,7 +87,7 @@ for _option in live.params:
 class _Watching:
     """Shows a capture while it is written."""
 
-    def __init__(self, reading: CaptureOptions, *, as_json: bool) -> None:
+    def __init__(self, reading: Options, *, as_json: bool) -> None:
         self._chosen = reading.filter
         self._as_json = as_json
         self._show = Show("json" if as_json else "tree", at_once=True)
@@ -100,8 +101,8 @@ class _Watching:
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
                 self._dialogues.show(pair, self._start_ns or 0)
-        if self._skipped > MOST_COMPLAINTS:
-            complain(f"and {self._skipped - MOST_COMPLAINTS} more places that could not be read")
+        if self._skipped > MOST_SKIPPED:
+            complain(f"and {self._skipped - MOST_SKIPPED} more places that could not be read")
 
     def _beside(self, events: Iterator[Event]) -> Iterator[Event]:
         """Yields the events, and shows those outside dialogues."""
@@ -113,7 +114,7 @@ class _Watching:
                     show_announcement(self._show, event, self._start_ns)
             elif isinstance(event, Skipped):
                 self._skipped += 1
-                if self._skipped <= MOST_COMPLAINTS:
+                if self._skipped <= MOST_SKIPPED:
                     complain(str(event))
             yield event
 

@@ -248,28 +248,25 @@ PATIENCE = 1.0
 _STEPS = 1000
 """Number of steps of the bar."""
 
-Advance = Callable[[Callable[[], float | None]], None]
-"""Redraws the bar; its argument returns the part that was read, 0 to 1, or None if its size is unknown."""
 
+class ProgressBar:
+    """A bar on a terminal once reading takes long, if nothing is printed or another place has what is printed."""
 
-@contextmanager
-def progress_bar(name: str, *, is_quiet: bool) -> Iterator[Advance]:
-    """Draws a bar on a terminal once reading takes long, if nothing is printed or another place has what is printed."""
-    if sys.stderr is None or not sys.stderr.isatty() or not (is_quiet or not is_terminal()):
-        yield lambda _: None
-        return
-    bar = click.progressbar(range(_STEPS), label=name, file=sys.stderr)
-    begin = time.monotonic()
-    at = 0
+    def __init__(self, name: str, *, is_quiet: bool) -> None:
+        is_seen = sys.stderr is not None and sys.stderr.isatty() and (is_quiet or not is_terminal())
+        self._bar = click.progressbar(range(_STEPS), label=name, file=sys.stderr) if is_seen else None
+        self._begin = time.monotonic()
+        self._at = 0
 
-    def advance(done: Callable[[], float | None]) -> None:
-        nonlocal at
-        part = done() if time.monotonic() - begin >= PATIENCE else None
-        if part is not None:
-            step = int(part * _STEPS)
-            bar.update(step - at)
-            at = step
+    def advance(self, done: Callable[[], float]) -> None:
+        """Redraws the bar; `done` returns the part that was read, 0 to 1."""
+        if self._bar is not None and time.monotonic() - self._begin >= PATIENCE:
+            step = int(done() * _STEPS)
+            self._bar.update(step - self._at)
+            self._at = step
 
-    yield advance
-    if at:
-        bar.render_finish()
+    def end(self) -> None:
+        """Ends the bar, if it was drawn."""
+        if self._bar is not None and self._at:
+            self._bar.render_finish()
+            self._at = 0

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import click
 
-from ev3proto.cli.assembly import show_errors
-from ev3proto.cli.kinds import is_image
+from ev3proto.capture.files import RecoveredFile, recover
 from ev3proto.cli.output import Printer, complain, put, refuse_terminal
-from ev3proto.cli.words import Source
+from ev3proto.cli.problems import Captured, Problems
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Assembled, Program, assemble, parse
 from ev3proto.program.listing import listing, program_json, program_tree
 from ev3proto.program.sources import MAX_SOURCE
 from ev3proto.program.writing import source_lines
+from ev3proto.reading.given import Given
+from ev3proto.reading.items import Problem
+from ev3proto.reading.kinds import is_image
+from ev3proto.reading.parts import Part
+from ev3proto.temporary import temporary_folder
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 from ev3proto.text.phrases import NOTATIONS
-from ev3proto.text.spans import Role, Spans
+from ev3proto.text.spans import Role, Spans, visible
 
 _MOST_WARNINGS = 20
 _MOST_OF_A_NAME = 200
@@ -31,6 +35,21 @@ def read_program(label: str, image: bytes, dialect: str) -> Program | None:
     except DecodeError as error:
         complain(f"{label}: {error}")
         return None
+
+
+def moved_programs(events: Iterable[Captured], part: Part, problems: Problems) -> Iterator[tuple[str, bytes]]:
+    """Yields the origins and images of the programs that a capture transfers, as far as they were captured."""
+    with temporary_folder() as folder:
+        found: list[RecoveredFile] = []
+        try:
+            # One by one, so that earlier files are kept if the capture ends early.
+            found += recover(events, folder)
+        except OSError as error:
+            problems.wrong(f"the programs cannot be written to {folder}: {error.strerror or error}")
+        for file in found:
+            image = b"" if file.file is None else file.file.read_bytes()
+            if is_image(image):
+                yield f"{part.where(file.packets[0])}: {visible(file.path)}", image
 
 
 def show_program(
@@ -58,8 +77,11 @@ def _source(program: Program) -> Iterator[Spans]:
 
 def complain_of_source(label: str, found: Sequence[AssemblyError | SourceWarning]) -> None:
     """Prints the errors of a source, or its first warnings and the number of the others."""
+    problems = Problems()
     warnings = [one for one in found if isinstance(one, SourceWarning)]
-    show_errors(f"{label}, ", (one for one in found if isinstance(one, AssemblyError)))
+    for error in found:
+        if isinstance(error, AssemblyError):
+            problems.show(Problem.in_source(label, error))
     for warning in warnings[:_MOST_WARNINGS]:
         complain(f"{label}, {warning} (warning)")
     if len(warnings) > _MOST_WARNINGS:
@@ -80,7 +102,7 @@ def assembled(
 
 
 def encode_program(
-    found: list[Source], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
+    found: list[Given], path: str | None, *, dialect: str | None, version: int | None, shortest: bool
 ) -> int:
     """Assembles one source and writes its image. Returns the exit status."""
     if len(found) != 1:
@@ -90,7 +112,7 @@ def encode_program(
     text = _text_of(source)
     if text is None:
         return 1
-    label = "the source" if source.is_frame else source.label
+    label = "the source" if source.word is not None else source.label
     made = assembled(text, label, dialect=dialect, version=version, shortest=shortest)
     if made is None or not put(made.image, None if path is None else Path(path)):
         return 1
@@ -100,12 +122,14 @@ def encode_program(
     return 0
 
 
-def _text_of(source: Source) -> str | bytes | None:
+def _text_of(source: Given) -> str | bytes | None:
     """Returns the text to assemble; reports anything else, and returns None."""
-    if source.is_frame and ("{" in source.name or any(character.isspace() for character in source.name.strip())):
-        return source.name
+    word = source.word
+    if word is not None and ("{" in word or any(character.isspace() for character in word.strip())):
+        return word
     try:
-        text = source.read(MAX_SOURCE + 1)
+        with Path(word).open("rb") if word is not None else source.opened() as stream:
+            text = stream.read(MAX_SOURCE + 1)
     except OSError as error:
         complain(f"{source.label[:_MOST_OF_A_NAME]}: cannot be read: {error.strerror or error}")
         return None

@@ -3,67 +3,26 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
+from ev3proto.capture.record import Record
 from ev3proto.cli.options import Whole, dialect_option, incompatible, tshark_option
 from ev3proto.cli.output import say
-from ev3proto.tables.declaration import DIALECTS
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.words import files
+from ev3proto.reading.items import Source
+from ev3proto.reading.options import BUILTIN, ENGINES, MIB, Options, Sources
+from ev3proto.reading.parts import Reading
 from ev3proto.tables.discovery import TCP_PORT
-from ev3proto.text.paste import Missing, Pasted, read_bare, read_text
+from ev3proto.text.paste import Missing
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter, FilterError
-
-
-BUILTIN = "builtin"
-"""The engine that is part of ev3proto."""
-
-HOW_FRAMES_ARE_WRITTEN = "; frames are written in hex, such as 06:00|2A:00|80|00:00|01"
-
-MIB = 1 << 20
-"""The unit of --memory, in bytes."""
-
-
-@dataclass
-class CaptureOptions:
-    """How input is read.
-
-    dialect  the firmware whose instruction set to use
-    ports    TCP ports on which bricks listen; none for 5555, if its traffic is recognised
-    is_all   unrecognised traffic is read, too
-    engine   builtin or wireshark
-    tshark   path of the tshark for that engine
-    filter   which records to show; None for all
-    missing  what frames in a text lack at their start
-    memory   memory limit for incomplete and unanswered messages, in MiB
-    """
-
-    dialect: str = DIALECTS[0]
-    ports: tuple[int, ...] = ()
-    is_all: bool = False
-    engine: str = BUILTIN
-    tshark: str | None = None
-    filter: Filter | None = None
-    missing: Missing | None = None
-    memory: int = DEFAULT_MEMORY // MIB
-
-
-def pieces(lines: Iterable[str], missing: Missing | None) -> Iterator[Pasted]:
-    """Returns the pieces of a text, whose frames may lack a part."""
-    return read_text(lines) if missing is None else read_bare(lines, missing)
-
-
-def given_up(label: str, count: int, memory: int) -> str:
-    """Returns the message about the number of things that were dropped at the memory limit, in MiB."""
-    return (
-        f"{label}: {count} unfinished frames, transfers and unanswered commands were dropped: the memory limit is"
-        f" {memory} MiB (--memory)"
-    )
 
 
 def _compiled(_context: click.Context, _parameter: click.Parameter, text: str | None) -> Filter | None:
@@ -100,6 +59,30 @@ def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wan
     context.exit()
 
 
+def captures_of(names: Sequence[str], reading: Options) -> Reading:
+    """Returns the reading of the captures and logs that words name, for subcommands that take nothing else."""
+    return Reading(files(names), replace(reading, sources=Sources.NO, images=False))
+
+
+def made_of(source: Source, reading: Reading, problems: Problems, **making: Any) -> Iterator[Record]:
+    """Yields the frames of assembly, made as `assembled` does; prints what is wrong, also that there is none.
+
+    Raises:
+        click.UsageError: Frames are to be filtered.
+    """
+    from ev3proto.reading.assembling import assembled  # takes 8 ms, which frames do not need
+
+    if reading.options.filter is not None:
+        name = source.place.name or str(source.text)
+        raise click.UsageError(f"--filter is for frames, but {name[:60]} has none yet")
+    is_empty, errors = True, problems.errors
+    for record in problems.records(assembled(source, dialect=reading.options.dialect, **making)):
+        is_empty = False
+        yield record
+    if is_empty and problems.errors == errors:
+        problems.show(reading.part.nothing())
+
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 _OPTIONS = (
@@ -115,13 +98,13 @@ _OPTIONS = (
     ),
     click.option(
         "--all",
-        "is_all",
+        "everything",
         is_flag=True,
         help="Show all traffic on a brick's TCP port, Bluetooth channel and USB reports, recognised or not.",
     ),
     click.option(
         "--engine",
-        type=click.Choice((BUILTIN, "wireshark")),
+        type=click.Choice(ENGINES),
         default=BUILTIN,
         show_default=True,
         help="Program that dissects packets: ev3proto itself, or tshark.",
@@ -170,12 +153,13 @@ def reading_options(command: F) -> F:
     def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:
         if no_length and only_operations:
             raise incompatible("--no-length", "--operations")
-        names = ("dialect", "ports", "is_all", "engine", "tshark", "filter", "memory")
+        names = ("dialect", "ports", "everything", "engine", "tshark", "filter")
         given = {name: others.pop(name) for name in names}
-        if given["is_all"] and given["engine"] != BUILTIN:
+        if given["everything"] and given["engine"] != BUILTIN:
             raise incompatible("--all", f"--engine {given['engine']}")
         missing: Missing | None = "length" if no_length else "header" if only_operations else None
-        return command(*arguments, reading=CaptureOptions(missing=missing, **given), **others)
+        options = Options(missing=missing, memory=others.pop("memory") * MIB, raises=False, **given)
+        return command(*arguments, reading=options, **others)
 
     for option in reversed(_OPTIONS):
         option(called)

@@ -11,13 +11,12 @@ from dataclasses import replace
 import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.output import Failure, Printer, complain
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import channel_to, target_option, timeout_option
-from ev3proto.cli.words import Source
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel
 from ev3proto.link.errors import ConnectionLostError, NoAnswerError
@@ -26,6 +25,8 @@ from ev3proto.link.policy import conduct
 from ev3proto.link.records import Records
 from ev3proto.link.replay import Likeness, Replay, Step, compare, firmware_of, plan, steps
 from ev3proto.link.targets import Target
+from ev3proto.reading.items import Code
+from ev3proto.reading.options import Options
 from ev3proto.tables import operations
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.phrases import command_spans
@@ -77,7 +78,7 @@ def replay(
     differences: bool,
     fast: bool,
     timeout: float,
-    reading: CaptureOptions,
+    reading: Options,
 ) -> None:
     """Sends the commands of a capture again, and compares the replies with the recorded ones.
 
@@ -97,22 +98,22 @@ def replay(
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
       ev3proto replay talk.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    inputs = Inputs([Source(name)], reading, ONLY_CAPTURES)
-    found = [step for capture in inputs.captures() for step in steps(dialogues(capture.events()))]
-    if not found and not inputs.at_fault:
-        raise Failure(f"{inputs.sources[0].label}: no command found")
+    captures, problems = captures_of([name], reading), Problems(Code.EMPTY)
+    found = list(steps(dialogues(problems.captured(captures.events()))))
+    if not found and not problems.errors:
+        raise Failure(f"{captures.part.label}: no command found")
     if not found:
         sys.exit(1)
     if dry_run:
         _show_plan(found, allowed)
-        sys.exit(1 if inputs.at_fault else 0)
+        sys.exit(problems.status)
     # Nothing is plugged into a virtual brick: the recorded one had its own equipment.
     with channel_to(replace(target, is_bare=True)) as channel:
         replaying = _Replaying(
             channel, str(target), timeout, reading.dialect, allowed, fast=fast, only_different=differences
         )
         is_fine = replaying.run(found)
-    sys.exit(0 if is_fine and not inputs.at_fault else 1)
+    sys.exit(0 if is_fine and not problems.errors else 1)
 
 
 def _show_plan(found: list[Step], allowed: frozenset[str]) -> None:

@@ -26,11 +26,11 @@ from ev3proto.cli.brick import (
     screenshot_option,
     script_option,
 )
-from ev3proto.cli.kinds import is_image
 from ev3proto.cli.options import PATH, FiniteRange, incompatible
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import assembled
 from ev3proto.program import check_program
+from ev3proto.reading.kinds import is_image
 from ev3proto.tables.enumerations import LEDPATTERN
 from ev3proto.tables.errors import ERRORS
 from ev3proto.tables.program import MAX_IMAGE

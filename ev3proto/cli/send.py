@@ -9,10 +9,10 @@ import click
 
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.capture.dialogues import RequestReply, is_error
-from ev3proto.cli.encode import encoded, inputs_for
+from ev3proto.cli.encode import Making, encoded
 from ev3proto.cli.options import bare_option, dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
-from ev3proto.cli.reading import CaptureOptions
+from ev3proto.cli.problems import Problems
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
@@ -22,6 +22,7 @@ from ev3proto.link.errors import LinkError
 from ev3proto.link.records import Records
 from ev3proto.link.targets import Target, Way
 from ev3proto.messages import DirectCommand, Message
+from ev3proto.reading.options import Options
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import Role
 
@@ -64,14 +65,15 @@ def send(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     if bare and target.way is not Way.VIRTUAL:
         raise click.UsageError("--bare is for a virtual brick")
-    inputs = inputs_for(names, CaptureOptions(dialect=dialect), reply=reply)
-    found = list(encoded(inputs, faults=False))
+    problems = Problems()
+    options = Options(dialect, raises=False)
+    found = list(encoded(names, options, Making(reply=reply), problems, faults=False))
     commands = [message for message in found if message.type is None or message.type.is_command]
     if not commands:
-        if not inputs.at_fault:
+        if not problems.errors:
             complain("nothing to send; expected frames in hex, or assembly")
         sys.exit(1)
-    if inputs.at_fault and not force:
+    if problems.errors and not force:
         raise Failure("nothing was sent, because part of the input cannot be read; --force sends the rest")
     if len(commands) < len(found):
         complain(f"skipped {counted(len(found) - len(commands), 'frame')} from a brick")
@@ -86,7 +88,7 @@ def send(
         complain(CORE_SET_SENTENCE)
     with channel_to(replace(target, is_bare=bare)) as channel:
         is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
-    sys.exit(0 if is_fine and not inputs.at_fault else 1)
+    sys.exit(0 if is_fine and not problems.errors else 1)
 
 
 def _uses_ports(message: Message) -> bool:

@@ -3,46 +3,34 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.cli.output import Printer
 from ev3proto.dialogue import Exchange
-from ev3proto.errors import counted
+from ev3proto.reading.lines import STYLES, message_lines
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.phrases import NOTATIONS, Seen, heading, origin, spaced_hex
-from ev3proto.text.sentence import sentence
-from ev3proto.text.spans import Role, Spans, plain_text
-from ev3proto.text.table import table
-from ev3proto.text.tree import tree
+from ev3proto.text.phrases import NOTATIONS, Seen, heading
+from ev3proto.text.spans import Spans, plain_text
 
 if TYPE_CHECKING:
     from ev3proto.program import Program
 
-_MOST_REST = 16
-
-RENDERERS: dict[str, Callable[[Exchange, Seen], Iterable[Spans]]] = {
-    "tree": tree,
-    "table": table,
-    "sentence": lambda exchange, seen: [[*origin(seen), (sentence(exchange), Role.PLAIN)]],
-}
-FORMATS = (*RENDERERS, *NOTATIONS, "json")
+FORMATS = (*STYLES, *NOTATIONS, "json")
 
 _encode = json.JSONEncoder(ensure_ascii=False, check_circular=False).encode
 
 
 class Show:
-    """Shows messages one by one.
+    """Prints messages one by one.
 
     style    one of FORMATS, or a format for programs only; None for the default
     at_once  flush after every message, because the next one may take long
-    printer  takes the lines; by default standard output
     """
 
-    def __init__(self, style: str | None, *, at_once: bool = False, printer: Printer | None = None) -> None:
+    def __init__(self, style: str | None, *, at_once: bool = False) -> None:
         self._program_style = style
         self._style = style if style in FORMATS else FORMATS[0]
-        self._printer = Printer(at_once=at_once) if printer is None else printer
+        self._printer = Printer(at_once=at_once)
         self.is_json = self._style == "json"
         self.count = 0
 
@@ -59,15 +47,10 @@ class Show:
 
             for line in assembly(exchange, plain_text(heading(exchange, seen)), self._style):
                 self._printer.text(line)
+            if exchange.note is not None:
+                self._printer.text(f"// note: {exchange.note}")
         else:
-            self._printer.lines(RENDERERS[self._style](exchange, seen))
-            if rest:
-                follow = "follows" if len(rest) == 1 else "follow"
-                shown = f": {spaced_hex(rest[:_MOST_REST])}{' ...' * (len(rest) > _MOST_REST)}" if any(rest) else ""
-                count = counted(len(rest), "left-over byte") if shown else f"{counted(len(rest), 'byte')} of padding"
-                self._printer.text(f"        {count} {follow} the frame{shown}")
-        if exchange.note is not None:
-            self.aside([(f"  note: {exchange.note}", Role.MEANING)])
+            self._printer.lines(message_lines(exchange, seen, rest, self._style))
 
     def entry(self, entry: dict[str, Any]) -> None:
         """Shows a message as one JSON object."""

@@ -10,12 +10,13 @@ import click
 from ev3proto.capture import Account
 from ev3proto.capture.latencies import ACCURACY, EXACT, Percentiles
 from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Statistics, Summary, TransferSummary
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.output import say, say_json
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files_named
 from ev3proto.errors import counted
+from ev3proto.reading.items import Code
+from ev3proto.reading.options import Options
 
 _MILLISECONDS = 1000
 
@@ -24,7 +25,7 @@ _MILLISECONDS = 1000
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @reading_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> None:
+def stats(files: tuple[str, ...], reading: Options, as_json: bool) -> None:
     """Counts the messages, errors and files in captures and logs.
 
     Shows messages by kind and by operation, latencies, errors, unanswered commands, transferred files, and what each
@@ -34,21 +35,17 @@ def stats(files: tuple[str, ...], reading: CaptureOptions, as_json: bool) -> Non
       ev3proto stats robot.pcapng
       ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    statistics = Statistics()
-    account = Account()
-    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
-    for source in inputs.captures():
-        for event in source.events():
-            statistics.add(event)
-        source.expect_frames()
-        account.add(source.account)
+    statistics, captures, problems = Statistics(), captures_of(files, reading), Problems(Code.NO_MATCH)
+    for event in problems.captured(captures.events()):
+        statistics.add(event)
+    account = captures.account
     summary = statistics.summary(account)
     if account.packets:
         if as_json:
             say_json(summary.as_dict())
         else:
-            _Page(summary, inputs.unit).show()
-    sys.exit(1 if inputs.at_fault else 0)
+            _Page(summary, captures.unit).show()
+    sys.exit(problems.status)
 
 
 class _Page:

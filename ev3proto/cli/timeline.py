@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 
@@ -11,12 +12,11 @@ import click
 
 from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
-from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
-from ev3proto.cli.reading import CaptureOptions, reading_options
-from ev3proto.cli.words import files_named
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import captures_of, reading_options
+from ev3proto.reading.options import Options
 
 MOST_SECONDS = 1e9
 """Longest time that can be asked for: thirty years."""
@@ -37,9 +37,7 @@ _SECONDS = FiniteRange(0, MOST_SECONDS)
 )
 @click.option("--from", "first", type=_SECONDS, metavar="SECONDS", help="Begin this long after the first message.")
 @click.option("--to", "last", type=_SECONDS, metavar="SECONDS", help="End this long after the first message.")
-def timeline(
-    files: tuple[str, ...], reading: CaptureOptions, output: Path, first: float | None, last: float | None
-) -> None:
+def timeline(files: tuple[str, ...], reading: Options, output: Path, first: float | None, last: float | None) -> None:
     """Draws a timeline of messages, latencies, files and faults.
 
     The suffix of the file decides the format: .html is an interactive page that needs no network; .svg and .png are
@@ -60,34 +58,22 @@ def timeline(
         raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
     if not output.parent.is_dir():
         raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
-    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
-    labels = ", ".join(source.label for source in inputs.sources)
-    names = ", ".join(Path(source.label).name for source in inputs.sources)
     # The timeline filters by itself: a reply that is kept back must not look as if it never came.
-    chosen, reading.filter = reading.filter, None
-    found: list[CaptureSource] = []
-    events, is_timed = _begun(_events(inputs, found))
+    captures, problems = captures_of(files, replace(reading, filter=None)), Problems()
+    labels = ", ".join(part.label for part in captures.parts)
+    names = ", ".join(Path(part.label).name for part in captures.parts)
+    events, is_timed = _begun(problems.captured(captures.events()))
     if not is_timed and (first is not None or last is not None):
         complain(f"{labels}: has no times: --from and --to count its lines")
-    drawn = collect(events, chosen, Window(first, last))
+    drawn = collect(events, reading.filter, Window(first, last))
     if drawn is None:
-        if not inputs.at_fault:
-            reasons = "".join(source.passed_over for source in found)
-            complain(_nothing(labels, first, last, is_timed=is_timed) + reasons)
+        if not problems.errors:
+            complain(_nothing(labels, first, last, is_timed=is_timed) + captures.passed_over)
         sys.exit(1)
-    for source in found:
-        source.expect_frames()
     if not put(render(drawn, form, names), output):
         sys.exit(1)
     say(f"{output}: written")
-    sys.exit(1 if inputs.at_fault or any(source.status for source in found) else 0)
-
-
-def _events(inputs: Inputs, found: list[CaptureSource]) -> Iterator[Event]:
-    """Yields the events of all captures, and keeps the captures."""
-    for source in inputs.captures():
-        found.append(source)
-        yield from source.events()
+    sys.exit(problems.status)
 
 
 def _begun(events: Iterator[Event]) -> tuple[Iterator[Event], bool]:

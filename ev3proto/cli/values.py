@@ -14,13 +14,14 @@ import click
 from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
 from ev3proto.cli.options import FILE, incompatible
 from ev3proto.cli.output import complain, put, say, say_json
-from ev3proto.cli.reading import CaptureOptions, reading_options
+from ev3proto.cli.problems import Problems
+from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.cli.words import files_named
 from ev3proto.errors import counted
+from ev3proto.reading.items import Code
+from ev3proto.reading.options import Options
 from ev3proto.text.spans import visible
 
 MOST_SHOWN = 50
@@ -47,7 +48,7 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
     metavar="FILE",
     help="Draw numbers over time into this file: .svg or .png.",
 )
-def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_json: bool, plot: Path | None) -> None:
+def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool, plot: Path | None) -> None:
     """Shows values over time: battery, sensors, motors, latencies, mailbox messages.
 
     Each value has a column, named after its operation, that operation's arguments such as the port, and the parameter.
@@ -64,23 +65,18 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
     form = "csv" if as_csv else "json" if as_json else None
     if plot is not None and form is not None:
         raise incompatible("--plot", f"--{form}")
-    inputs = Inputs(files_named(files), reading, ONLY_CAPTURES)
-    sources = []
-    found = Series()
-    for source in inputs.captures():
-        sources.append(source)
-        found.extend(series_of(source.events(), source.label, MOST_CELLS - found.size))
-        source.expect_frames()
+    captures, problems, found = captures_of(files, reading), Problems(Code.NO_MATCH), Series()
+    for part in captures.each():
+        found.extend(series_of(problems.captured(part), part.label, MOST_CELLS - found.size))
     if found.omitted:
-        complain(f"{counted(found.omitted, 'row')} omitted: {MOST_CELLS:,} cells are kept; --filter chooses others")
-        inputs.at_fault = True
+        kept = f"{MOST_CELLS:,} cells are kept; --filter chooses others"
+        problems.wrong(f"{counted(found.omitted, 'row')} omitted: {kept}")
+    labels = [part.label for part in captures.parts]
     if not found.rows:
-        if not inputs.at_fault:
-            names = ", ".join(source.label for source in inputs.sources)
-            reasons = "".join(source.passed_over for source in sources)
-            complain(f"{names}: no reply with its command found{reasons}")
+        if not problems.errors:
+            complain(f"{', '.join(labels)}: no reply with its command found{captures.passed_over}")
         sys.exit(1)
-    start = min((begun for source in sources if (begun := source.account.first_ns) is not None), default=0)
+    start = captures.account.first_ns or 0
     most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN
     if most is not None and len(found.units) > most:
         complain(
@@ -89,12 +85,12 @@ def values(files: tuple[str, ...], reading: CaptureOptions, as_csv: bool, as_jso
         )
         found = found.narrowed(most)
     if plot is not None:
-        _draw(found, plot, ", ".join(Path(source.label).name for source in inputs.sources), start)
+        _draw(found, plot, ", ".join(Path(label).name for label in labels), start)
     elif form is None:
-        _print_table(found, inputs.unit, start)
+        _print_table(found, captures.unit, start)
     else:
         _PRINTERS[form](found)
-    sys.exit(1 if inputs.at_fault else 0)
+    sys.exit(problems.status)
 
 
 def _titles(found: Series) -> list[str]:

@@ -7,18 +7,19 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, BinaryIO
 
-from ev3proto.cli.output import Advance, flush
-from ev3proto.text.paste import Pasted
+from ev3proto.cli.output import ProgressBar, flush
+from ev3proto.reading.given import Given, given_word, is_file
 from ev3proto.text.spans import visible
 
 if TYPE_CHECKING:
     from _typeshed import WriteableBuffer
 
-_PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
+STANDARD_INPUT = "-"
+
 _GROUP = re.compile(r"(0x)?([0-9a-f]{2}:?){1,4},?", re.IGNORECASE)
 """Whole bytes in hex, which are taken for bytes even if a file has that name."""
 _NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNORECASE)
@@ -28,86 +29,65 @@ _NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNOR
 class _Awaited(io.FileIO):
     """Input that may come slowly: standard output is flushed, and the bar redrawn, before waiting for more."""
 
-    def __init__(self, file: str | int, advance: Advance) -> None:
+    def __init__(self, file: str | int, bar: ProgressBar) -> None:
         super().__init__(file, closefd=isinstance(file, str))
-        self._advance = advance
+        self._bar = bar
         found = os.fstat(self.fileno())
         self._size = found.st_size if stat.S_ISREG(found.st_mode) else 0
 
     def readinto(self, buffer: WriteableBuffer, /) -> int | None:
         """Reads the available bytes, at least one, or none at the end."""
         flush()
-        self._advance(self._done)
-        return super().readinto(buffer)
+        if self._size:
+            self._bar.advance(lambda: min(self.tell() / self._size, 1.0))
+        count = super().readinto(buffer)
+        if not count:
+            self._bar.end()
+        return count
 
-    def _done(self) -> float | None:
-        return min(self.tell() / self._size, 1.0) if self._size else None
+    def close(self) -> None:
+        """Closes the file, and ends the bar."""
+        self._bar.end()
+        super().close()
 
 
-def _nowhere(_done: Callable[[], float | None]) -> None:
-    """Draws no bar."""
+def named(names: Sequence[str], *, is_quiet: bool = False) -> list[Given]:
+    """Returns what the words name; bytes that were typed without quotes around them are one frame.
 
-
-class Source(NamedTuple):
-    """A word of the command line: a file, standard input, or a frame itself.
-
-    lines  what was read already, for a text without a file
+    `is_quiet`: nothing is printed while it is read, so that a progress bar may be drawn.
     """
+    if len(names) > 1 and _are_bytes(names):
+        return [given_word(" ".join(names))]
+    return [
+        file(name, is_quiet=is_quiet) if name == STANDARD_INPUT or (name and is_file(name)) else given_word(name)
+        for name in names or (STANDARD_INPUT,)
+    ]
 
-    name: str
-    is_frame: bool = False
-    lines: Iterable[str] | None = None
 
-    @property
-    def label(self) -> str:
-        """Its name in messages, on one line."""
-        return "standard input" if self.name == "-" else visible(self.name)
+def file(name: str, *, is_quiet: bool = True) -> Given:
+    """Returns a file or standard input."""
+    is_standard = name == STANDARD_INPUT
+    label = "standard input" if is_standard else visible(name)
 
-    @property
-    def looks_like_a_path(self) -> bool:
-        """Whether its name has a folder or a suffix, like that of a file."""
-        return _PATH.fullmatch(self.name) is not None
-
-    def open(self, advance: Advance = _nowhere) -> BinaryIO:
-        """Opens a file or standard input, and redraws a bar while it is read. Raises OSError."""
-        if self.name != "-":
-            return io.BufferedReader(_Awaited(self.name, advance))
+    def opened() -> BinaryIO:
+        bar = ProgressBar(label, is_quiet=is_quiet)
+        if not is_standard:
+            return io.BufferedReader(_Awaited(name, bar))
         if sys.stdin is None:
             raise OSError("standard input is closed")
         raw = getattr(sys.stdin.buffer, "raw", None)
-        return io.BufferedReader(_Awaited(raw.fileno(), advance)) if isinstance(raw, io.FileIO) else sys.stdin.buffer
+        return io.BufferedReader(_Awaited(raw.fileno(), bar)) if isinstance(raw, io.FileIO) else sys.stdin.buffer
 
-    def read(self, most: int) -> bytes:
-        """Reads at most this number of bytes of a file or standard input. Raises OSError."""
-        with self.open() as stream:
-            return stream.read(most)
-
-    def where(self, pasted: Pasted) -> str:
-        """Returns the start of a message about a piece of it."""
-        return f"{self.name[:60]!r}" if self.is_frame else f"{self.label}, line {pasted.line}"
+    return Given(label, None if is_standard else Path(name), opened, is_lent=is_standard)
 
 
-def sources(names: Sequence[str]) -> list[Source]:
-    """Returns what the words name; bytes that were typed without quotes around them are one frame."""
-    if len(names) > 1 and _are_bytes(names):
-        return [Source(" ".join(names), is_frame=True)]
-    return [Source(name, is_frame=name != "-" and (not name or not _exists(name))) for name in names or ("-",)]
-
-
-def files_named(names: Sequence[str]) -> list[Source]:
+def files(names: Sequence[str]) -> list[Given]:
     """Returns the files that the words name, or standard input."""
-    return [Source(name) for name in names]
+    return [file(name) for name in names]
 
 
 def _are_bytes(names: Sequence[str]) -> bool:
     """Whether each word is one byte or a few."""
     if all(_GROUP.fullmatch(name) for name in names):
         return True
-    return all(_NUMBER.fullmatch(name) for name in names) and not any(_exists(name) for name in names)
-
-
-def _exists(name: str) -> bool:
-    try:
-        return Path(name).exists()
-    except (OSError, ValueError):
-        return False
+    return all(_NUMBER.fullmatch(name) for name in names) and not any(is_file(name) for name in names)

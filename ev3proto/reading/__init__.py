@@ -4,12 +4,14 @@
         if isinstance(item, ev3proto.reading.Record):
             print(item.place, item.message.build().hex())
 
-    given      what is given: a file, a text, bytes, lines, an open file
-    kinds      what a file is, by its first bytes
-    texts      the frames of a text, or the source that it is
-    parts      each source, read once
-    items      what reading yields
-    assembled  the frames that are made of assembly
+    given       what is given: a file, a text, bytes, lines, an open file
+    kinds       what a file is, by its first bytes
+    texts       the frames of a text, or the source that it is
+    parts       each source, read once
+    items       what reading yields
+    lines       the lines that show it
+    faults      what is wrong with a frame
+    assembling  the frames that are made of assembly
 
 Nothing here prints.
 """
@@ -17,12 +19,12 @@ Nothing here prints.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.record import Place, Record
 from ev3proto.checking.report import Severity
-from ev3proto.reading.assembled import assembled
 from ev3proto.reading.given import Readable, given
 from ev3proto.reading.items import Code, Image, Item, Problem, Source, SourceKind
 from ev3proto.reading.options import BUILTIN, ENGINES, Options
@@ -30,6 +32,7 @@ from ev3proto.reading.parts import Reading
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter
+    from ev3proto.reading.assembling import assembled as assembled
 
 __all__ = [
     "Code",
@@ -92,3 +95,11 @@ def read(
         raise ValueError(f"unknown engine {engine!r}; expected {' or '.join(ENGINES)}")
     options = Options(dialect, tuple(ports), everything, engine, tshark, filter, memory=memory)
     return iter(Reading([given(source) for source in sources], options))
+
+
+def __getattr__(name: str) -> Any:
+    """Imports the assembler on first use: it takes 8 ms, which frames do not need."""
+    if name != "assembled":
+        raise AttributeError(f"module 'ev3proto.reading' has no attribute {name!r}")
+    value = globals()[name] = import_module("ev3proto.reading.assembling").assembled
+    return value

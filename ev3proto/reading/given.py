@@ -41,6 +41,11 @@ class Given(NamedTuple):
     frame: bytes | None = None
     is_lent: bool = False
 
+    def opened(self) -> BinaryIO:
+        """Opens the file. Raises OSError."""
+        assert self.open is not None, "only files are opened"
+        return self.open()
+
     @property
     def is_program_source(self) -> bool:
         """Whether it is named like the source of a program."""

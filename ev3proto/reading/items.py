@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from ev3proto.capture.record import Announcement, Place, Record, Skipped
 from ev3proto.checking.report import Severity
-from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
+
+if TYPE_CHECKING:
+    from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
 
 
 class Image(NamedTuple):
@@ -58,6 +60,7 @@ class Code(StrEnum):
     NOTE = "note"  # a remark on how a piece of a text was read
     SKIPPED = "skipped"  # bytes among the frames of a capture
     MEMORY = "memory"  # messages that were dropped at the memory limit
+    FAULT = "fault"  # a frame with a fault, as `fault_of` says it; reading yields the record alone
     SOURCE = "source"  # an error or a warning in assembly, in a program's source, or in JSON
 
 
@@ -85,7 +88,7 @@ class Problem(NamedTuple):
     def in_source(cls, name: str, error: AssemblyError | SourceWarning) -> Problem:
         """Returns the problem for an error or a warning of assembly in a file; `name` is empty for a text by itself."""
         place = Place(name, error.line, error.column)
-        if isinstance(error, SourceWarning):
+        if not isinstance(error, Exception):
             return cls(place, Code.SOURCE, error.reason, Severity.WARNING)
         return cls(place, Code.SOURCE, error.reason, excerpt=error.excerpt if error.text.strip() else "")
 

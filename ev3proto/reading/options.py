@@ -69,6 +69,7 @@ class Options:
     sources     whether a text can be assembly, and a file an .lms
     images      images of programs are wanted; else they are a problem
     whole       texts are yielded whole as a `Source`, up to this number of bytes and one more; 0: their frames
+    wanted      the name of what is looked for in captures
     raises      a file that cannot be opened raises OSError; else it is a problem
     """
 
@@ -83,6 +84,7 @@ class Options:
     sources: Sources = Sources.YES
     images: bool = True
     whole: int = 0
+    wanted: str = "frame"
     raises: bool = True
 
     @property

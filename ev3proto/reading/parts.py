@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import io
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, BinaryIO
 
 from ev3proto.capture.byte_account import Account
@@ -57,23 +57,31 @@ class Part:
         return None if self._file is None else self._file.progress
 
     def __iter__(self) -> Iterator[Event]:
-        is_empty = True
+        is_empty, dropped = True, self._log.budget.dropped
         for event in self._all() if self._options.filter is None else self._matching():
             is_empty = is_empty and isinstance(event, Problem) and event.severity is not Severity.ERROR
             yield event
         if is_empty:
             yield self.nothing()
+        forgotten = self.account.forgotten - dropped * self.is_text
+        if forgotten:
+            sentence = self._options.given_up(forgotten)
+            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
 
     # What is missing
 
-    def nothing(self, wanted: str = "frame") -> Problem:
-        """Returns the problem that nothing is in the source, or nothing of what is wanted."""
-        is_filtered, account = self._options.filter is not None, self.account
+    def where(self, number: int) -> Place:
+        """Returns the place of a record by its number."""
+        return Place(self.label, line=number) if self.is_text else Place(self.label, packet=number)
+
+    def nothing(self, *, is_filtered: bool = False) -> Problem:
+        """Returns the problem that nothing that is wanted is in the source, or that nothing matches a filter."""
+        is_filtered, account = is_filtered or self._options.filter is not None, self.account
         if self.is_text and not is_filtered and not account.frames:
             return self._texts.nothing()
         matches = " matches the filter" if is_filtered else ""
         code = Code.NO_MATCH if is_filtered and account.frames + account.texts else Code.EMPTY
-        return Problem(self._place, code, f"no {wanted} in {self.extent}{matches}{self.passed_over}")
+        return Problem(self._place, code, f"no {self._options.wanted} in {self.extent}{matches}{self.passed_over}")
 
     @property
     def extent(self) -> str:
@@ -92,6 +100,16 @@ class Part:
         if account.cut:
             said += f"; of {counted(account.cut, 'packet')} only the first bytes were captured (snap length)"
         return said
+
+    def pieces(self, found: Iterable[Pasted]) -> Iterator[Record | Source | Problem]:
+        """Yields what is in pieces of its text, which was yielded whole; or that there is nothing."""
+        is_empty = True
+        for pasted in found:
+            for event in self._texts.pasted(pasted):
+                is_empty = False
+                yield event
+        if is_empty:
+            yield self.nothing()
 
     # What is there
 
@@ -220,9 +238,6 @@ class Part:
                     yield event
         except CaptureError as error:
             yield Problem(self._place, Code.DAMAGED, str(error))
-        if self.account.forgotten:
-            sentence = self._options.given_up(self.account.forgotten)
-            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
         if places > MOST_SKIPPED:
             sentence = f"and {places - MOST_SKIPPED} more places; {lost} bytes in all could not be read"
             yield Problem(self._place, Code.SKIPPED, sentence)
@@ -252,6 +267,7 @@ class Reading:
     """What is read of several sources, in order, by iterating once.
 
     parts  the sources
+    part   the one that is read now, or the last
     """
 
     def __init__(self, sources: Sequence[Given], options: Options) -> None:
@@ -259,7 +275,7 @@ class Reading:
         self.options = options
         self._log = TextLog(options.dialect, options.memory)
         self.parts = [Part(given, options, self._log) for given in sources]
-        self._begun: list[Part] = []
+        self.part = Part(Given(""), options, self._log)
 
     def __iter__(self) -> Iterator[Item]:
         """Yields records, images, sources and problems. Raises OSError for a file that cannot be opened."""
@@ -269,12 +285,14 @@ class Reading:
 
     def events(self) -> Iterator[Event]:
         """Yields the same, and the texts around frames and the bytes between them."""
-        for part in self.parts:
-            self._begun.append(part)
+        for part in self.each():
             yield from part
-        dropped = self._log.budget.dropped
-        if dropped:
-            yield Problem(Place("the input"), Code.MEMORY, self.options.given_up(dropped), Severity.WARNING)
+
+    def each(self) -> Iterator[Part]:
+        """Yields the sources, to iterate each before the next."""
+        for part in self.parts:
+            self.part = part
+            yield part
 
     @property
     def account(self) -> Account:
@@ -285,6 +303,11 @@ class Reading:
         return account
 
     @property
+    def passed_over(self) -> str:
+        """Why packets may have frames although none was found, for problems; empty if they have none."""
+        return "".join(part.passed_over for part in self.parts)
+
+    @property
     def unit(self) -> str:
         """What the numbers of records count: packets, or lines if only texts were read."""
         return "line" if all(part.is_text for part in self.parts) else "packet"
@@ -292,4 +315,4 @@ class Reading:
     @property
     def progress(self) -> float | None:
         """The part of the current file that was read, 0 to 1; None if its size is unknown."""
-        return self._begun[-1].progress if self._begun else None
+        return self.part.progress

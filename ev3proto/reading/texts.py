@@ -50,7 +50,8 @@ class TextReader:
         """
         lines, sources = text.split("\n"), self._options.sources
         if self._options.missing is not None:
-            yield from self.lines(lines)
+            # For `decode` and `check`, a word is one frame, however many lines it has.
+            yield from self.lines(lines if sources is Sources.FIRST else [text])
             return
         pasted = None if sources is Sources.FIRST else read_argument(text)
         if pasted is None or not pasted.data:

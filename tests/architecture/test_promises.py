@@ -22,10 +22,11 @@ from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
-from ev3proto.cli import kinds, live, values
+from ev3proto.cli import live, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
 from ev3proto.link import file_moves
 from ev3proto.program.checking import MOST_OF_A_CODE
+from ev3proto.reading import kinds
 from ev3proto.tables.claims import MOST_HELD, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.memory import ARRAY_ROOM

@@ -11,8 +11,12 @@ TONE = "0e002a0080000094010182b80182e803"
 
 PARTS_NOT_NEEDED = (
     "brick",
-    "capture",
-    "checking",
+    "capture.carriers",
+    "capture.files",
+    "capture.filter",
+    "capture.formats",
+    "checking.checking",
+    "checking.fixing",
     "compose",
     "generate",
     "link",

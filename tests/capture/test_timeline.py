@@ -664,7 +664,7 @@ def test_a_capture_without_frames(tmp_path: Path) -> None:
     capture = tmp_path / "empty.pcap"
     capture.write_bytes(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1))
     done = run(capture, "-o", tmp_path / "x.html")
-    assert (done.exit_code, done.output) == (1, f"{capture}: no frame found\n")
+    assert (done.exit_code, done.output) == (1, f"{capture}: no frame in 0 packets\n")
     assert list(tmp_path.iterdir()) == [capture]
 
 

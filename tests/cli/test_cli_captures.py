@@ -250,7 +250,7 @@ def test_garbage_in_a_stream() -> None:
     assert [entry["hex"] for entry in found] == [TONE.hex(), VOLTAGE.hex(), VOLTS.hex()]
     assert found[2]["answers"] == 2
     assert done.returncode == 1
-    assert done.stderr.decode().startswith("standard input: packet 2, 192.0.2.1:49152 to 192.0.2.10:5555: ")
+    assert done.stderr.decode().startswith("standard input, packet 2: 192.0.2.1:49152 to 192.0.2.10:5555: ")
 
 
 def test_complaints_have_a_limit() -> None:
@@ -289,7 +289,7 @@ FAULTY = bytes.fromhex("0700 0100 00 0000 94 77")
         (("check",), "no command in 2 packets"),
         (("files",), "no frame in 2 packets"),
         (("values",), "no frame in 2 packets"),
-        (("timeline", "-o", "x.svg"), "no frame found"),
+        (("timeline", "-o", "x.svg"), "no frame in 2 packets"),
     ],
 )
 def test_packets_that_are_not_recognised_are_counted(words: tuple[str, ...], nothing: str, tmp_path: Path) -> None:

@@ -313,15 +313,16 @@ def test_texts_on_wifi_are_not_frames() -> None:
 
 
 def test_json_that_is_bad_or_endless() -> None:
-    for text, sentence in {
-        "[" * 100_000: "line 1: this JSON cannot be read: it is nested too deep",
-        "{\n" + '"a": 1,\n' * 3: "line 1: the object that starts here never ends",
-        '{"a": ' + "9" * 5000 + "}": "line 1: this JSON cannot be read",
-        "{\n" + "\n" * 5_000_000: "line 1: the object has more than 4194304 characters",
-        '{}\n{"a": ?}': "line 2, column 7: invalid JSON: Expecting value",
-    }.items():
+    for text, line, sentence in (
+        ("[" * 100_000, 1, "this JSON cannot be read: it is nested too deep"),
+        ("{\n" + '"a": 1,\n' * 3, 1, "the object that starts here never ends"),
+        ('{"a": ' + "9" * 5000 + "}", 1, "this JSON cannot be read"),
+        ("{\n" + "\n" * 5_000_000, 1, "the object has more than 4194304 characters"),
+        ('{}\n{"a": ?}', 2, "invalid JSON: Expecting value"),
+    ):
         with pytest.raises(RecordError) as caught:
             list(read_records(text.splitlines(keepends=True)))
+        assert caught.value.line == line
         assert str(caught.value).startswith(sentence)
     nothings: tuple[Any, ...] = (None, [], 5, "text")
     for nothing in nothings:

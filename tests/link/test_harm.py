@@ -13,9 +13,6 @@ from support.effort import effort
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
 from ev3proto.capture.record import Direction
-from ev3proto.cli.inputs import ONLY_CAPTURES, Inputs
-from ev3proto.cli.reading import CaptureOptions
-from ev3proto.cli.words import Source
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.link.known import ASSUMED, NOTHING, Known
 from ev3proto.messages import Message, SystemCommand
@@ -142,9 +139,8 @@ def test_reading_wants_a_reply(reading: Operation) -> None:
 
 
 def sent_in(name: str) -> Iterator[Message]:
-    inputs = Inputs([Source(str(ROOT / "captures" / name))], CaptureOptions(), ONLY_CAPTURES)
-    for record in (record for capture in inputs.captures() for record in capture.records()):
-        if record.direction is not Direction.RECEIVED:
+    for record in ev3proto.read(ROOT / "captures" / name):
+        if isinstance(record, ev3proto.Record) and record.direction is not Direction.RECEIVED:
             yield record.message
 
 

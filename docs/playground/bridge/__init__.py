@@ -6,20 +6,26 @@ Every function takes and returns types that JavaScript also has; answers are JSO
 from __future__ import annotations
 
 import base64
-import io
 import json
 import random
 import re
 from collections.abc import Callable
-from contextlib import redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
-from ev3proto.cli.commands import cli
+from ev3proto.checking.codes import CODES
+from ev3proto.checking.program_codes import PROGRAM_CODES
+from ev3proto.dialogue import Dialogue
+from ev3proto.program.explaining import explained
+from ev3proto.schema.frame import parse
+from ev3proto.text.assembly.disassembly import assembly
+from ev3proto.text.paste import read_argument
+from ev3proto.text.phrases import MACROS, Seen, heading
+from ev3proto.text.spans import plain_text, visible
 
 from .completing import complete
-from .reading import MOST_SENT, Publish, Reading
+from .reading import MOST_SENT, Input, Publish
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:
@@ -65,15 +71,9 @@ def begin() -> None:
     _folder, _brick = TemporaryDirectory(), None
 
 
-def _place(name: str) -> Path:
-    """Returns the place of a file of the page."""
-    return Path(_folder.name) / name
-
-
 # The input
 
-_now = Reading()
-_path = Path()
+_now = Input()
 
 
 def _nothing(_: str) -> None:
@@ -88,11 +88,10 @@ def look(text: str, publish: Publish = _nothing) -> str:
         publish: Is called with JSON, as long as it takes: `part` and `count` of what was read, or an `answer` so far.
 
     Returns:
-        The answer: see `Reading.answer`.
+        The answer: see `Input.answer`.
     """
-    global _now, _path
-    _now, _path = Reading(publish), _place("input")
-    _path.write_text(text, encoding="utf-8", errors="surrogatepass")
+    global _now
+    _now = Input(publish)
     _now.type(text)
     return json.dumps(_now.answer())
 
@@ -105,11 +104,12 @@ def open_file(name: str, data: Any, publish: Publish = _nothing) -> str:
         data: The contents, as bytes or as a JavaScript array.
         publish: As for `look`.
     """
-    global _now, _path
-    _now = Reading(publish)
-    _path = _place(name if _FILE_NAME.fullmatch(name) else f"file{Path(name).suffix if name.isprintable() else ''}")
-    _path.write_bytes(_bytes(data))
-    _now.open(_path)
+    global _now
+    _now = Input(publish)
+    is_plain = _FILE_NAME.fullmatch(name) is not None
+    path = Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
+    path.write_bytes(_bytes(data))
+    _now.open(path)
     return json.dumps(_now.answer())
 
 
@@ -125,18 +125,12 @@ def all_dialogues() -> str:
 
 def timeline() -> str:
     """Returns the timeline of the input as a Vega-Lite specification with its data; null if it is empty."""
-    made = _place("chart.json")
-    _command("timeline", str(_path), "-o", str(made))
-    if not made.exists():
-        return "null"
-    chart = made.read_text(encoding="utf-8")
-    made.unlink()
-    return chart
+    return _now.timeline()
 
 
 def explain(code: str) -> str:
     """Returns what a code of `check` means."""
-    return json.dumps(_command("check", "--explain", code))
+    return json.dumps("\n".join(map(plain_text, explained((CODES | PROGRAM_CODES)[code]))) + "\n")
 
 
 def fix() -> str:
@@ -145,22 +139,15 @@ def fix() -> str:
 
 
 def to_send() -> str:
-    """Returns what the input has to send: see `Reading.to_send`."""
+    """Returns what the input has to send: see `Input.to_send`."""
     return json.dumps(_now.to_send())
 
 
 def as_assembly(frame: str) -> str:
-    """Returns a frame as text that can be edited and encoded again."""
-    return json.dumps(_command("decode", "--format", "asm", "--", frame))
-
-
-def _command(*arguments: str) -> str:
-    """Runs a subcommand of ev3proto. Returns its output."""
-    with io.TextIOWrapper(io.BytesIO(), "utf-8") as out, redirect_stdout(out), redirect_stderr(io.StringIO()):
-        with suppress(SystemExit):
-            cli(arguments, prog_name="ev3proto")
-        out.seek(0)
-        return out.read()
+    """Returns a frame, in any notation, as text that can be edited and encoded again."""
+    exchange = Dialogue().follow(parse(read_argument(frame).data, strict=False))
+    lines = assembly(exchange, plain_text(heading(exchange, Seen())), MACROS)
+    return json.dumps("".join(f"{visible(line)}\n" for line in lines))
 
 
 def _bytes(data: Any) -> bytes:

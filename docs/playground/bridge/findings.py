@@ -51,7 +51,7 @@ class Findings:
         self._left_out = dict.fromkeys(_SEVERITIES, 0)
         self._accepted_places: list[str] = []
         self._programs: list[ProgramReport] = []
-        self._warnings = ""
+        self._warnings: list[str] = []
 
     def frame(self, frame: bytes, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
         """Checks a frame."""
@@ -79,9 +79,9 @@ class Findings:
         """Takes the report on a program, whose image is frame 0."""
         self._programs.append(report)
 
-    def warn(self, text: str) -> None:
+    def warn(self, sentences: Iterable[str]) -> None:
         """Takes the warnings about a program's source."""
-        self._warnings += text
+        self._warnings += sentences
 
     @property
     def frames(self) -> list[Checked]:
@@ -104,7 +104,7 @@ class Findings:
         is_alone = self._checked == 1 and not self._skipped
         blocks: list[dict[str, Any]] = []
         if self._warnings:
-            lines = [Line([(line, Role.PLAIN)]) for line in self._warnings.splitlines()]
+            lines = [Line([(line, Role.PLAIN)]) for line in self._warnings]
             blocks.append(_block(lines, None, "warning"))
         for report in self._programs:
             blocks += _program_blocks(report)

@@ -1,49 +1,38 @@
-"""What was typed or opened: read once, by the reader of `ev3proto decode`, and rendered as far as it is shown."""
+"""What was typed or opened: read once, as far as it is shown kept as data."""
 
 from __future__ import annotations
 
-import io
 import json
 import time
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import redirect_stderr
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.capture.record import Event, elapsed
-from ev3proto.capture.text_log import read_log
-from ev3proto.cli.assembly import assembled_messages
-from ev3proto.cli.captures import CaptureSource
-from ev3proto.cli.check import is_reply
-from ev3proto.cli.decode import Decoding
-from ev3proto.cli.inputs import (
-    Content,
-    Frame,
-    Inputs,
-    Making,
-    Takes,
-    Whole,
-    looks_like_assembly,
-)
-from ev3proto.cli.kinds import Kind
-from ev3proto.cli.programs import complain_of_source
-from ev3proto.cli.reading import CaptureOptions
-from ev3proto.cli.recorded import show_capture
-from ev3proto.cli.words import Source
+from ev3proto.capture.record import Announcement, Place, Record, Skipped, elapsed
+from ev3proto.capture.timeline import Form, collect, render
+from ev3proto.errors import DecodeError
 from ev3proto.messages import Message
 from ev3proto.program import assemble, check_program
+from ev3proto.program import parse as parse_program
+from ev3proto.program.listing import listing
+from ev3proto.reading.assembling import assembled
+from ev3proto.reading.faults import fault_of
+from ev3proto.reading.given import Given, given_word
+from ev3proto.reading.items import Code, Event, Image, Problem, Source, SourceKind
+from ev3proto.reading.lines import announcement_line, message_lines, record_seen
+from ev3proto.reading.options import Options, Sources
+from ev3proto.reading.parts import Reading
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
 from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.paste import Pasted, read_argument
 from ev3proto.text.phrases import command_spans, reply_spans
-from ev3proto.text.spans import plain_text
+from ev3proto.text.spans import plain_text, visible
 
 from .findings import Findings
-from .rows import Rows, Showing, shown
+from .rows import Rows
 
 MOST_SHOWN = 200_000
 """Maximum characters of each text of an answer."""
@@ -58,6 +47,12 @@ FEW = 200
 
 MOST_COMPLAINTS = 12
 """Maximum lines of errors."""
+
+MOST_WARNINGS = 20
+"""Maximum number of warnings about a program's source."""
+
+TYPED = "input"
+"""The name of what was typed, in places."""
 
 OFTEN, SOON, LATE = 0.25, 1.0, 5.0
 """Seconds between two reports of progress; until a first part of the answer if the tree is full, and if it is not."""
@@ -76,30 +71,32 @@ Publish = Callable[[str], object]
 """Takes a report of progress, or a part of the answer, as JSON."""
 
 
-class Reading(Decoding):
+class Input:
     """One input, and what is shown of it."""
 
     def __init__(self, publish: Publish = lambda _: None) -> None:
-        self._rows = Rows(MOST_SHOWN)
-        self._showing = Showing(self._rows)
-        super().__init__(self._showing, Inputs([], CaptureOptions(), Takes()))
         self.image: bytes | None = None
         self._publish = publish
+        self._rows = Rows(MOST_SHOWN)
+        self._number = -1
+        self._shown: dict[int, bytes] = {}
         self._findings = Findings()
-        self._errors = io.StringIO()
+        self._problems: list[Problem] = []
+        self._problem_count = 0
         self._typed: str | None = None
-        self._folder = ""
+        self._name = TYPED
+        self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._assembled = 0
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._lesson_size = 0
         self._commands: list[bytes] = []
         self._command_count = 0
-        self._log: list[Pasted] = []
         self._pairs: list[RequestReply] = []
         self._pair_count = 0
         self._start_ns = 0
-        self._done: Callable[[], float] = lambda: 0.0
+        self._reading = Reading([], Options())
+        self._done: Callable[[], float] = lambda: self._reading.progress or 0.0
         self._begun = self._said = time.monotonic()
         self._next = LATE
 
@@ -110,29 +107,25 @@ class Reading(Decoding):
         if not text.strip():
             return
         if OBJECT.search(text):
-            self._run(lambda: self._program_of(text, "input"))
+            self._program_of(text, TYPED)
             return
         self._typed = text
-        if "\n" in text.strip():
-            self._read(Source("input", lines=self._counted(text)))
-        else:
-            self._read(Source(text.strip(), is_frame=True))
+        is_long = "\n" in text.strip()
+        self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
+        self._read(Given(TYPED, lines=self._counted(text)) if is_long else given_word(text.strip()))
 
     def open(self, path: Path) -> None:
         """Reads a file."""
-        self._folder = f"{path.parent}/"
-        self._read(Source(str(path)))
+        self._name = path.name
+        self._again = lambda: Given(path.name, path, lambda: path.open("rb"))
+        self._read(self._again())
 
-    def _read(self, source: Source) -> None:
-        takes = Takes(making=self._making, programs=True, sources=True)
-        self.inputs = Inputs([source], CaptureOptions(), takes)
-        if source.lines is None:
-            self._done = lambda: self.inputs.progress() or 0.0
-        self._run(self.run)
-
-    def _run(self, read: Callable[[], object]) -> None:
-        with redirect_stderr(self._errors):
-            read()
+    def _read(self, given: Given) -> None:
+        self._reading = Reading([given], Options(raises=False))
+        for pair in dialogues(self._records(self._reading.events())):
+            self._pair_count += 1
+            if len(self._pairs) < MOST_DIALOGUES:
+                self._pairs.append(pair)
 
     def _counted(self, text: str) -> Iterator[str]:
         """Yields the lines of a text, and counts what was read of it."""
@@ -142,84 +135,94 @@ class Reading(Decoding):
             done += len(line)
             yield line
 
-    def _making(self, line: str) -> Making | None:
-        """Returns what makes messages of a text by its first line: assembly, unless the line has bytes."""
-        return self._assembly if looks_like_assembly(line) and not read_argument(line).data else None
+    def _records(self, events: Iterator[Event]) -> Iterator[Record]:
+        """Takes everything, and yields the records that may be a dialogue."""
+        for event in events:
+            if isinstance(event, Record):
+                self._record(event)
+                yield event
+            elif isinstance(event, Announcement):
+                self._rows.add([announcement_line(event, self._start())])
+            elif isinstance(event, Image):
+                self._image(event.data, event.place.name)
+            elif isinstance(event, Source):
+                self._source(event)
+            elif isinstance(event, Problem):
+                self._problem(event)
 
-    def _assembly(self, inputs: Inputs, source: Source, lines: Iterable[str]) -> Iterator[Message]:
-        messages = list(assembled_messages(source, lines, inputs.complain, dialect=inputs.reading.dialect))
-        self._assembled = len(messages)
-        return iter(messages)
+    def _start(self) -> int:
+        self._start_ns = self._reading.part.account.first_ns or 0
+        return self._start_ns
 
-    def take(self, content: Content) -> None:
-        """Takes one thing."""
-        if isinstance(content, Whole) and content.kind is Kind.SOURCE:
-            self._program_of(content.data, content.source.label)
-        else:
-            super().take(content)
+    def _record(self, record: Record) -> None:
+        written, start_ns = record.written, self._start()
+        self._show(record, start_ns)
+        fault = fault_of(record, is_text=written is not None)
+        if fault is not None:
+            self._problem(fault)
+        if written is None:
+            self._take(record, str(record.place), 0, carrier=str(record.carrier))
+        elif not record.is_cut:
+            self._take(record, "" if written.is_typed else str(record.place), record.number)
+
+    def _show(self, record: Record, start_ns: int) -> None:
+        self._number += 1
+        if not self._rows.is_full:
+            self._shown[self._number] = record.frame
+            seen = record.seen if record.written is not None else record_seen(record, start_ns)
+            self._rows.add(message_lines(record.exchange, seen, record.rest), self._number)
+
+    def _source(self, source: Source) -> None:
+        """Reads assembly, or the source of a program."""
+        if source.kind is SourceKind.PROGRAM:
+            self._program_of(source.text, source.place.name)
+            return
+        made = list(assembled(source))
+        records = [item for item in made if isinstance(item, Record)]
+        self._assembled = len(records)
+        for number, record in enumerate(records, 1):
+            self._show(record, 0)
+            self._take(record, f"frame {number}" if len(records) > 1 else "", 0)
+        for item in made:
+            if isinstance(item, Problem):
+                self._problem(item)
 
     def _program_of(self, text: str | bytes, label: str) -> None:
         """Reads the source of a program."""
         try:
             made = assemble(text)
         except AssemblyError as error:
-            complain_of_source(label, (error, *error.others))
+            for one in (error, *error.others):
+                self._problem(Problem.in_source(label, one))
             return
-        with redirect_stderr(io.StringIO()) as warnings:
-            complain_of_source(label, made.warnings)
-        self._findings.warn(warnings.getvalue())
-        self.program(Source(label), made.image)
+        warnings = [f"{Problem.in_source(label, one)} (warning)" for one in made.warnings]
+        more = len(warnings) - MOST_WARNINGS
+        self._findings.warn([*warnings[:MOST_WARNINGS], *([f"... and {more} more warnings"] if more > 0 else [])])
+        self._image(made.image, label)
 
-    def program(self, source: Source, image: bytes) -> None:
+    def _image(self, image: bytes, label: str) -> None:
         """Takes the image of a program."""
-        super().program(source, image)
-        self.image = image
+        self.image, place = image, Place(label)
+        try:
+            program = parse_program(image, strict=False)
+        except DecodeError as error:
+            self._problem(Problem(place, Code.DAMAGED, str(error)))
+        else:
+            self._number += 1
+            self._shown[self._number] = image
+            self._rows.add(listing(program), self._number)
+            for fault in program.faults:
+                self._problem(Problem(place, Code.FAULT, f"fault at {fault}"))
         self._findings.program(check_program(image))
 
-    def frame(self, frame: Frame) -> None:
-        """Takes a frame of a text, or of assembly."""
-        super().frame(frame)
-        pasted, message = frame.pasted, frame.message
-        if pasted is None:
-            self._take(message, message.build(), f"frame {frame.number}" if self._assembled > 1 else "", 0)
-            return
-        if len(self._log) < MOST_DIALOGUES * 2 and (not self._log or self._log[-1] is not pasted):
-            self._log.append(pasted)
-        if frame.is_cut:
-            return
-        place = "" if frame.source.is_frame else frame.place
-        self._take(message, message.build(), place, pasted.line, is_reply=frame.is_from_brick)
+    def _problem(self, problem: Problem) -> None:
+        self._problem_count += 1
+        if len(self._problems) < MOST_COMPLAINTS:
+            self._problems.append(problem)
 
-    def capture(self, capture: CaptureSource) -> None:
-        """Takes the frames of a capture."""
-        before = self._showing.count
-        for pair in dialogues(self._records(capture)):
-            self._pair_count += 1
-            if len(self._pairs) < MOST_DIALOGUES:
-                self._pairs.append(pair)
-        capture.taken = self._showing.count - before
-
-    def _records(self, capture: CaptureSource) -> Iterator[Event]:
-        for record in show_capture(self._showing, capture, as_dialogues=False):
-            self._start_ns = capture.account.first_ns or 0
-            place = capture.where(record.number)
-            message = record.message
-            if message.fault is not None:
-                self.inputs.complain(f"{place}: fault at {message.fault}")
-            self._take(message, record.frame, place, 0, is_reply=is_reply(record), carrier=capture.carrier(record))
-            yield record
-
-    def _take(
-        self,
-        message: Message,
-        frame: bytes,
-        place: str,
-        line: int,
-        *,
-        is_reply: bool = False,
-        carrier: str | None = None,
-    ) -> None:
+    def _take(self, record: Record, place: str, line: int, *, carrier: str | None = None) -> None:
         """Takes a frame, which was shown."""
+        message, frame = record.message, record.frame
         if message.type is not None and message.type.is_command:
             self._command_count += 1
             if len(self._commands) < MOST_SENT:
@@ -228,10 +231,10 @@ class Reading(Decoding):
             self._frames.append(frame)
             self._lesson.append(as_hex(message))
             self._lesson_size += len(self._lesson[-1]) + 1
-        if is_reply:
+        if record.is_from_brick:
             self._findings.reply()
         else:
-            self._findings.frame(frame, self._showing.number, place, line, carrier=carrier)
+            self._findings.frame(frame, self._number, place, line, carrier=carrier)
         self._breathe()
 
     def _breathe(self) -> None:
@@ -240,7 +243,7 @@ class Reading(Decoding):
         if now - self._said < OFTEN:
             return
         self._said = now
-        self._publish(json.dumps({"part": self._done(), "count": self._showing.number + 1}))
+        self._publish(json.dumps({"part": self._done(), "count": self._number + 1}))
         is_first = self._rows.is_full and self._next == LATE
         if now - self._begun > (SOON if is_first else self._next):
             self._next *= 2
@@ -251,7 +254,8 @@ class Reading(Decoding):
     def answer(self, *, is_whole: bool = True) -> dict[str, Any]:
         """Returns what is shown, for JSON.
 
-        error      sentences
+        error      sentences, with the lines of a source that they are about
+        problems   the same as data: each with message, place, severity, code, line and column
         count      the number of frames
         isProgram  whether it is a program
         lines      of the tree, each with its pieces, the number of its frame (-1 for none), offset and number of bytes
@@ -261,16 +265,15 @@ class Reading(Decoding):
         made       the frames in the lesson's notation, and if they are few, in all
         dialogues  their number, and the first ones, each with time, command, reply, latency
         """
-        rows, findings = shown(self._rows), self._findings.answer()
-        frames = self._showing.frames | {each.number: each.report.frame for each in self._findings.frames}
+        findings = self._findings.answer()
+        frames = self._shown | {each.number: each.report.frame for each in self._findings.frames}
         is_few = is_whole and len(self._frames) <= FEW and self.image is None
-        if is_whole and self._log and len(self._log) <= FEW:
-            self._pair()
         return {
             "error": self._error(),
-            "count": self._showing.number + 1,
+            "problems": [_problem_entry(problem) for problem in self._problems],
+            "count": self._number + 1,
             "isProgram": self.image is not None,
-            "lines": rows,
+            "lines": self._rows.answer(),
             "frames": {number: frame.hex() for number, frame in frames.items()},
             "findings": findings,
             "isFixable": is_whole and self._is_fixable(),
@@ -279,15 +282,17 @@ class Reading(Decoding):
         }
 
     def _error(self) -> str:
-        text = self._errors.getvalue()
-        lines = (text.replace(self._folder, "") if self._folder else text).splitlines(keepends=True)
-        left = len(lines) - MOST_COMPLAINTS
-        return "".join([*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines\n"] if left > 0 else [])])
+        lines: list[str] = []
+        for problem in self._problems:
+            lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
+        left = self._problem_count - len(self._problems) + max(len(lines) - MOST_COMPLAINTS, 0)
+        shown = [*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines"] if left else [])]
+        return "".join(f"{visible(line)}\n" for line in shown)
 
     def made(self, form: str) -> str:
         """Returns the frames in a notation, as far as they are shown."""
         if form == LESSON:
-            return _shortened(self._lesson, self._showing.number + 1)
+            return _shortened(self._lesson, self._number + 1)
         found: list[str] = []
         size = 0
         for number, frame in enumerate(self._frames, 1):
@@ -295,7 +300,7 @@ class Reading(Decoding):
             size += len(found[-1]) + 1
             if size > MOST_SHOWN:
                 break
-        return _shortened(found, self._showing.number + 1)
+        return _shortened(found, self._number + 1)
 
     # Fixes
 
@@ -313,24 +318,15 @@ class Reading(Decoding):
     # Dialogues
 
     def _dialogue_count(self) -> int:
-        """Returns the number of dialogues; for a text that is not paired yet, about that many."""
-        return self._pair_count or (len(self._log) if len(self._log) > 1 else 0)
-
-    def _pair(self) -> None:
-        """Pairs the frames of a text."""
-        if self._pairs or len(self._log) < 2:
-            return
-        log = read_log(self._log)
-        self._pairs = list(dialogues(log.events()))[:MOST_DIALOGUES]
-        self._pair_count, self._start_ns = len(self._pairs), log.account.first_ns or 0
+        """Returns the number of dialogues; a text with one frame has none."""
+        return self._pair_count if self._number or not self._reading.part.is_text else 0
 
     def dialogue_rows(self, most: int) -> list[list[str]]:
-        """Returns dialogues that are paired: time, command, reply, latency of each."""
-        return [self._dialogue_row(pair) for pair in self._pairs[:most]]
+        """Returns dialogues: time, command, reply, latency of each."""
+        return [self._dialogue_row(pair) for pair in self._pairs[:most]] if self._dialogue_count() else []
 
     def all_dialogue_rows(self) -> list[list[str]]:
         """Returns as many dialogues as are shown."""
-        self._pair()
         return self.dialogue_rows(MOST_DIALOGUES)
 
     def _dialogue_row(self, pair: RequestReply) -> list[str]:
@@ -344,6 +340,14 @@ class Reading(Decoding):
             ("no reply" if asks else "") if reply is None else plain_text(reply_spans(reply.exchange)),
             "" if latency is None else f"{latency * 1000:.3f} ms",
         ]
+
+    # The timeline
+
+    def timeline(self) -> str:
+        """Returns the input over time as a Vega-Lite specification with its data; null if it is empty."""
+        reading = Reading([self._again()], Options(sources=Sources.NO, images=False, raises=False))
+        drawn = collect(event for event in reading.events() if isinstance(event, Record | Announcement | Skipped))
+        return "null" if drawn is None else render(drawn, Form.JSON, self._name).decode()
 
     # Sending
 
@@ -365,3 +369,16 @@ def _shortened(found: list[str], count: int) -> str:
     if len(found) == count or not found:
         return "\n".join(found)
     return "\n".join([*found, f"... and {count - len(found)} more frames; ev3proto on the command line shows all"])
+
+
+def _problem_entry(problem: Problem) -> dict[str, Any]:
+    """Returns a problem for JSON."""
+    place = problem.place
+    return {
+        "message": problem.message,
+        "place": str(place),
+        "severity": problem.severity,
+        "code": problem.code,
+        "line": place.line,
+        "column": place.column,
+    }

@@ -1,4 +1,4 @@
-"""What `ev3proto decode` prints, as rows that know their bytes, and operations their page in the reference."""
+"""Lines as rows for the page: they know their bytes, and operations their place in the reference."""
 
 from __future__ import annotations
 
@@ -6,13 +6,8 @@ import re
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from ev3proto.cli.output import Printer
-from ev3proto.cli.show import Show
-from ev3proto.dialogue import Exchange
-from ev3proto.program import Program
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import declarations
-from ev3proto.text.phrases import Seen
 from ev3proto.text.spans import Line, Role, Spans, visible
 
 MORE = "... and many more lines; ev3proto on the command line shows all"
@@ -61,79 +56,28 @@ class Row(NamedTuple):
     length: int = 0
 
 
-class Rows(Printer):
-    """Lines that are not printed but kept, up to a number of characters."""
+class Rows:
+    """The lines that are shown, up to a number of characters."""
 
     def __init__(self, most: int) -> None:
         """Takes the maximum number of characters."""
-        super().__init__()
-        self.kept: list[Row] = []
+        self._kept: list[Row] = []
         self._left = most
-        self._frame = -1
 
     @property
     def is_full(self) -> bool:
         """Whether further lines are not kept."""
         return self._left <= 0
 
-    def begin(self, frame: int) -> None:
-        """Begins the lines of a frame: its number, -1 for lines that are about none."""
-        self._frame = frame
-
-    def lines(self, lines: Iterable[Spans]) -> None:
-        """Takes lines."""
-        for line in lines:
+    def add(self, lines: Iterable[Line], frame: int = -1) -> None:
+        """Adds lines that are about a frame, by its number; -1: about none."""
+        for line in lines if not self.is_full else ():
             found = pieces(line)
-            if self._frame >= 0 and isinstance(line, Line) and line.offset is not None:
-                self.kept.append(Row(found, self._frame, line.offset, line.length))
-            else:
-                self.kept.append(Row(found))
+            is_about = frame >= 0 and line.offset is not None
+            self._kept.append(Row(found, frame, line.offset or 0, line.length) if is_about else Row(found))
             self._left -= sum(len(piece[0]) for piece in found) + 1
 
-    def text(self, text: str) -> None:
-        """Takes one line."""
-        self.lines([[(text, Role.PLAIN)]])
-
-
-class Showing(Show):
-    """Shows messages as rows, as long as there is room.
-
-    number  that of the newest frame; the first is 0
-    frames  the bytes of those that are shown, by number
-    """
-
-    def __init__(self, rows: Rows) -> None:
-        """Shows messages in these rows."""
-        super().__init__(None, printer=rows)
-        self.number = -1
-        self.frames: dict[int, bytes] = {}
-        self._rows = rows
-
-    def exchange(self, exchange: Exchange, seen: Seen, padding: bytes = b"") -> None:
-        """Shows a message."""
-        self.number += 1
-        if self._rows.is_full:
-            self.count += 1
-            return
-        frame = seen.frame if seen.frame is not None else exchange.message.build()
-        self.frames[self.number] = frame
-        self._rows.begin(self.number)
-        super().exchange(exchange, seen, padding)
-
-    def aside(self, line: Spans) -> None:
-        """Shows a line between messages."""
-        if not self._rows.is_full:
-            self._rows.begin(-1)
-            super().aside(line)
-
-    def program(self, program: Program, image: bytes, origin: str | None = None) -> None:
-        """Shows a program."""
-        self.number += 1
-        self.frames[self.number] = image
-        self._rows.begin(self.number)
-        super().program(program, image, origin)
-
-
-def shown(rows: Rows) -> list[list[Any]]:
-    """Returns the rows for JSON, and a last one if there are more lines."""
-    return [list(row) for row in rows.kept] + ([[[[MORE, Role.ASIDE]], -1, 0, 0]] if rows.is_full else [])
+    def answer(self) -> list[list[Any]]:
+        """Returns the rows for JSON, and a last one if there are more lines."""
+        more = [Row([[MORE, Role.ASIDE]])] if self.is_full else []
+        return [list(row) for row in (*self._kept, *more)]

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 
+from ev3proto.errors import counted
+
+ACCESSORY = "in Apple's accessory protocol (iAP), in which iPhones and iPads speak to a brick,"
+"""The place of packets that are known, and not read."""
+
 
 @dataclass(slots=True)
 class Account:
@@ -44,6 +49,21 @@ class Account:
     def parts(self) -> dict[str, int]:
         """The bytes of each kind by its name."""
         return {name: getattr(self, name) for name in _PARTS}
+
+    @property
+    def passed_over(self) -> str:
+        """Why packets may have frames although none was found, for messages; empty if they have none."""
+        said = ""
+        for place, count in self.strange.items() if not self.frames else ():
+            was, them = ("was", "it as it is") if count == 1 else ("were", "them as they are")
+            option = f"--port {place.rpartition(' ')[2]}" if "TCP" in place else "--all"
+            reason = f"{was} not recognised; {option} shows {them}"
+            if place == ACCESSORY:
+                reason = f"{was} not read; --engine wireshark does not know the messages in it either"
+            said += f"; {counted(count, 'packet')} {place} {reason}"
+        if self.cut:
+            said += f"; of {counted(self.cut, 'packet')} only the first bytes were captured (snap length)"
+        return said
 
     def count_strange(self, place: str) -> None:
         """Counts a packet that was not recognised, by its place."""

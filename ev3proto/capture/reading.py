@@ -87,7 +87,7 @@ def read(
     everything: bool = False,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
-    """Reads a capture file: pcap, pcapng or btsnoop, compressed with gzip or not, recognised by its first bytes.
+    """Reads a capture file: pcap, pcapng, btsnoop or pklg, with gzip or not, recognised by its first bytes.
 
     `ev3proto.pyshark.read` reads all formats and link types of Wireshark.
 
@@ -131,6 +131,14 @@ def _opened(source: str | os.PathLike[str] | BinaryIO) -> CaptureFile:
 _CARRIERS = {int(link): carrier for carrier in Carrier for link in carrier.facts.links}
 
 
+_UNREAD = {266: "USB on macOS"}
+"""Names of link types that are not read."""
+
+
+def _named(link: int) -> str:
+    return f"{link} ({_UNREAD[link]})" if link in _UNREAD else str(link)
+
+
 def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
     """Yields the events in packets. Raises CaptureError after everything readable."""
     account = context.account
@@ -168,7 +176,7 @@ def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
     if trouble is not None:
         raise trouble
     if unknown:
+        links = ", ".join(map(_named, sorted(unknown)))
         raise CaptureError(
-            f"packets of link type {', '.join(map(str, sorted(unknown)))} were not read; --engine wireshark reads all"
-            " link types of Wireshark"
+            f"packets of link type {links} were not read; --engine wireshark reads all link types of Wireshark"
         )

@@ -134,9 +134,9 @@ def decode(
 ) -> None:
     """Shows the contents of frames, captures and programs.
 
-    The input is frames, files with frames in their lines, captures (pcap, pcapng, btsnoop, also gzipped), programs
-    (.rbf), or - (or nothing) for standard input. Frames can be written in many forms: log lines with times, hex with or
-    without spaces and colons, C arrays, Python byte strings.
+    The input is frames, files with frames in their lines, captures (pcap, pcapng, btsnoop, pklg, gzipped or not),
+    programs (.rbf), or - (or nothing) for standard input. Frames can be written in many forms: log lines with times,
+    hex with or without spaces and colons, C arrays, Python byte strings.
 
     \b
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"

@@ -45,7 +45,7 @@ class Words(NamedTuple):
     accepted: str
 
 
-READ = Words("", "nor a frame", "captures are pcap, pcapng or btsnoop files, packed with gzip or not")
+READ = Words("", "nor a frame", "captures are pcap, pcapng, btsnoop or pklg files, packed with gzip or not")
 ENCODED = Words(
     "nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints"
     " them, or frames in hex such as 06:00|2A:00|80|00:00|01",

@@ -91,15 +91,7 @@ class Part:
     @property
     def passed_over(self) -> str:
         """Why packets may have frames although none was found, for problems; empty if they have none."""
-        account = self.account
-        said = ""
-        for place, count in account.strange.items() if not account.frames else ():
-            option = f"--port {place.rpartition(' ')[2]}" if "TCP" in place else "--all"
-            was, them = ("was", "it as it is") if count == 1 else ("were", "them as they are")
-            said += f"; {counted(count, 'packet')} {place} {was} not recognised; {option} shows {them}"
-        if account.cut:
-            said += f"; of {counted(account.cut, 'packet')} only the first bytes were captured (snap length)"
-        return said
+        return self.account.passed_over
 
     def pieces(self, found: Iterable[Pasted]) -> Iterator[Record | Source | Problem]:
         """Yields what is in pieces of its text, which was yielded whole; or that there is nothing."""

@@ -115,6 +115,65 @@ def test_the_link_of_a_pcap_file_may_say_that_check_sums_follow() -> None:
     assert read_bytes(bytes(data)) == (COMMANDS, None)
 
 
+# Bluetooth
+
+
+def hci_packets() -> list[Timed]:
+    """A command on a serial port, and what sets it up: for each its time, direction, and packet type and contents."""
+    packets = Packets(201)
+    SerialPort(packets).send(COMMANDS[0])
+    return timed(list(packets_of(packets.data())))
+
+
+@pytest.mark.parametrize("order", "<>")
+def test_files_of_packetlogger(order: str) -> None:
+    """As a Mac writes them; texts and notes are between the packets."""
+    kinds = {(0, 1): 0, (1, 4): 1, (0, 2): 2, (1, 2): 3}  # by direction and packet type
+    note = struct.pack(f"{order}IIIB", 13, 1_500_000_000, 0, 0xFB) + b"note"
+    data = note
+    for time_ns, packet, _ in hci_packets():
+        direction, kind = struct.unpack(">IB", packet[:5])
+        head = struct.pack(f"{order}III", 4 + len(packet), time_ns // 10**9, time_ns % 10**9 // 1000)
+        data += head + bytes((kinds[direction, kind],)) + packet[5:]
+    assert read_bytes(data) == (COMMANDS[:1], None)
+    (record,) = read(io.BytesIO(data))
+    assert record.time_ns == hci_packets()[-1][0]
+    assert read_bytes(data[:-1])[1] == "the file is cut off in packet 4: 21 of its 22 bytes are there"
+    assert read_bytes(data[:25])[1] == "the file is cut off in the header of packet 2, at offset 17"
+    damaged = data[:17] + struct.pack(f"{order}I", 3) + data[21:]
+    assert str(read_bytes(damaged)[1]).startswith("the file is damaged at offset 17: packet 2 would have -6 bytes")
+
+
+def test_btsnoop_without_packet_types() -> None:
+    """The flags tell them: 1 for a received packet, 2 for commands and events."""
+    found = [(packet[5:], struct.unpack(">IB", packet[:5])) for _, packet, _ in hci_packets()]
+    flags = [direction | (0 if kind == 2 else 2) for _, (direction, kind) in found]
+    assert read_bytes(btsnoop(1001, timed([data for data, _ in found]), flags)) == (COMMANDS[:1], None)
+
+
+def test_files_that_are_known_and_not_read() -> None:
+    packet = bytes.fromhex("02 0b20 1200 0e00 4000 0bef15 08000200000400810160 9a")
+    dump = struct.pack("<HBBII", len(packet), 0, 0, 1_540_000_000, 5) + packet
+    assert read_bytes(dump) == ([], "a file of hcidump -w, which is not read here; --engine wireshark reads it")
+    mac = read_bytes(pcap(266, timed([bytes(40)])))
+    assert mac == (
+        [],
+        "packets of link type 266 (USB on macOS) were not read; --engine wireshark reads all link types of Wireshark",
+    )
+
+
+def test_an_iphone_speaks_another_protocol() -> None:
+    packets = Packets(201)
+    link = "FF 5A 00 1A 80 2B 00 00 E1 01 05 10 00 0F A0 00 17 03 03 0A 00 01 0B 02 01 E8"
+    SerialPort(packets).send(bytes.fromhex(link))
+    capture = read(io.BytesIO(packets.data()))
+    assert list(capture) == []
+    assert capture.account.passed_over == (
+        "; 1 packet in Apple's accessory protocol (iAP), in which iPhones and iPads speak to a brick, was not read;"
+        " --engine wireshark does not know the messages in it either"
+    )
+
+
 # pcapng
 
 
@@ -280,7 +339,7 @@ def test_a_file_may_be_cut_off_anywhere(way: str) -> None:
 def test_what_is_said_of_a_file_that_is_cut_off() -> None:
     whole = WAYS["pcap <"]
     told = {size: read_bytes(whole[:size])[1] for size in (0, 3, 20, 24 + 7, 24 + 16 + 49)}
-    formats = "expected pcap, pcapng or btsnoop, compressed with gzip or not"
+    formats = "expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
     assert told == {
         0: f"not a capture file: it is empty; {formats}",
         3: f"not a capture file: it begins with D4 C3 B2; {formats}",
@@ -328,7 +387,7 @@ def test_a_gzip_stream_may_have_a_wrong_check_sum_or_something_behind_it() -> No
 
 
 def test_a_gzip_stream_may_have_nothing_of_use_in_it() -> None:
-    formats = "expected pcap, pcapng or btsnoop, compressed with gzip or not"
+    formats = "expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
     assert read_bytes(gzip.compress(b"hello, world")) == (
         [],
         f"not a capture file: it begins with 68 65 6C 6C 6F 2C 20 77; {formats}",
@@ -355,9 +414,9 @@ def test_a_packet_that_claims_to_be_huge_takes_no_memory(order: str, length: int
 
 
 def test_a_btsnoop_file_of_another_kind_is_told() -> None:
-    assert read_bytes(btsnoop(1001, [], [])) == (
+    assert read_bytes(btsnoop(1003, [], [])) == (
         [],
-        "unknown packet kind 1001 of a btsnoop file of version 1; expected 1002 or 2001",
+        "unknown packet kind 1003 of a btsnoop file of version 1; expected one of 1001, 1002, 2001",
     )
 
 

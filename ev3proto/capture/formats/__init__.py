@@ -13,6 +13,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO, Self
 
+from ev3proto.capture.formats import hcidump, packetlogger
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import CaptureError
 
@@ -31,7 +32,24 @@ MAGICS = {
 Reader = Callable[["io.BufferedReader[Any]"], Iterator[Packet]]
 
 _STARTS = (GZIP, *MAGICS)
-_MOST_MAGIC = max(map(len, MAGICS))
+_MAGIC = max(map(len, MAGICS))
+_MOST_HEAD = max(_MAGIC, packetlogger.SIZE, hcidump.SIZE)
+"""The bytes that tell every format: of files without a magic, more are needed."""
+
+
+def _format_of(head: bytes) -> str | None:
+    """Returns the name of the module that reads files with these first bytes; None if there is none."""
+    found = next((name for magic, name in MAGICS.items() if head.startswith(magic)), None)
+    if found is None and packetlogger.order_of(head) is not None:
+        return "packetlogger"
+    return "hcidump" if found is None and hcidump.is_start(head) else found
+
+
+def _is_undecided(head: bytes) -> bool:
+    """Returns whether more bytes may tell the format; those without a magic have zeros, which texts do not."""
+    if len(head) >= _MOST_HEAD or head.startswith(_STARTS):
+        return False
+    return any(magic.startswith(head) for magic in _STARTS) or b"\0" in head
 
 
 class _Source(io.RawIOBase):
@@ -49,8 +67,8 @@ class _Source(io.RawIOBase):
         """Returns the first bytes that tell the format. Call it first before anything is read."""
         if self._first is not None:
             return self._first
-        while len(self._head) < _MOST_MAGIC and any(magic.startswith(self._head) for magic in _STARTS):
-            more = self._read(_MOST_MAGIC - len(self._head))
+        while _is_undecided(self._head):
+            more = self._read((_MAGIC if len(self._head) < _MAGIC else _MOST_HEAD) - len(self._head))
             if not more:
                 break
             self._head += more
@@ -112,7 +130,7 @@ class CaptureFile:
             start = self._start().hex(" ").upper()
             what = f"it begins with {start}" if start else "it is empty"
             raise CaptureError(
-                f"not a capture file: {what}; expected pcap, pcapng or btsnoop, compressed with gzip or not"
+                f"not a capture file: {what}; expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
             )
         packets: Reader = import_module(f"{__name__}.{name}").packets
         return self._unpacked(packets) if self._is_packed else packets(self.contents)
@@ -148,8 +166,7 @@ class CaptureFile:
         return start
 
     def _format(self) -> str | None:
-        start = self._start()
-        return next((name for magic, name in MAGICS.items() if start.startswith(magic)), None)
+        return _format_of(self._start())
 
 
 def _size(stream: BinaryIO) -> int | None:

@@ -19,8 +19,13 @@ _record = struct.Struct(">IIIIQ")
 # Times count from the year 0.
 _EPOCH = 0x00DCDDB30F2F8000
 
-LINKS = {1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
-"""Link types by the format's own numbers: HCI with its packet type, and BlueZ's monitor."""
+_WITHOUT_TYPE = 1001
+
+LINKS = {_WITHOUT_TYPE: Link.HCI, 1002: Link.HCI, 2001: Link.BLUETOOTH_MONITOR}
+"""Link types by the format's own numbers: HCI without and with its packet type, and BlueZ's monitor."""
+
+_TYPES = {0: b"\2", 1: b"\2", 2: b"\1", 3: b"\4"}
+"""The packet type of HCI by the flags: 1 for a received packet, 2 for a command or an event."""
 
 
 def packets(stream: BinaryIO) -> Iterator[Packet]:
@@ -30,8 +35,10 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         raise CaptureError("the file is cut off in its header")
     _, version, link = _header.unpack(head)
     if link not in LINKS:
-        kinds = " or ".join(map(str, LINKS))
-        raise CaptureError(f"unknown packet kind {link} of a btsnoop file of version {version}; expected {kinds}")
+        kinds = ", ".join(map(str, LINKS))
+        raise CaptureError(
+            f"unknown packet kind {link} of a btsnoop file of version {version}; expected one of {kinds}"
+        )
     interface = Interface(LINKS[link])
     number, position = 0, len(head)
     while head := stream.read(_record.size):
@@ -45,7 +52,8 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
                 " cannot be read"
             )
         data = stream.read(length)
-        yield Packet(number, (microseconds - _EPOCH) * 1000, data, size, interface, flags)
+        kind = _TYPES[flags & 3] if link == _WITHOUT_TYPE else b""
+        yield Packet(number, (microseconds - _EPOCH) * 1000, kind + data, len(kind) + size, interface, flags)
         if len(data) < length:
             raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
         position += _record.size + length

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ev3proto.capture.byte_account import ACCESSORY
 from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
 from ev3proto.capture.carriers.claims import StreamClaim
 from ev3proto.capture.carriers.streams import Context, Piece, Stream
@@ -13,6 +14,9 @@ from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import Direction, Event, Route
 from ev3proto.tables.carriers import RFCOMM_CHANNEL, Carrier
 from ev3proto.tables.frame import MessageType
+
+_ACCESSORY = (b"\xff\x55", b"\xff\x5a")
+"""The first bytes of packets of Apple's accessory protocol, in both versions. As a length they are impossible."""
 
 
 class SerialPorts:
@@ -35,6 +39,9 @@ class SerialPorts:
                 self._conversations.pop(found.key, None)
                 yield from self._end(found.key)
                 self._claims.pop(found.key, None)
+            elif found.serial is not None and found.serial.data.startswith(_ACCESSORY):
+                self._account.count_strange(ACCESSORY)
+                self._account.other += found.weight
             elif found.serial is None or found.serial.channel != RFCOMM_CHANNEL:
                 self._account.other += found.weight
             else:

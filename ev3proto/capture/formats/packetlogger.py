@@ -1,0 +1,82 @@
+"""PacketLogger files (.pklg): Bluetooth traffic as a Mac records it, and an iPhone or iPad through it."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator
+from io import BufferedReader
+from typing import Any
+
+from ev3proto.capture.packets import Interface, Packet
+from ev3proto.capture.record import CaptureError
+from ev3proto.tables.carriers import Link
+
+_RECORDS = {order: struct.Struct(f"{order}IIIB") for order in "><"}
+"""A record in both byte orders: the number of bytes that follow the length, seconds, microseconds, kind."""
+
+_SIZE = _RECORDS[">"].size
+
+SIZE = _SIZE + 4
+"""Bytes that tell whether a file has this format: the first record, and the header of the packet in it."""
+
+_LENGTH, _SECOND = 4, 1_000_000
+_LEAST, _MOST = _SIZE - _LENGTH, 0xFFFF
+_OLDEST = 978_307_200
+"""Seconds since 1970 of the beginning of 2001: the program is younger."""
+
+_COMMAND, _DATA, _EVENT = 1, 2, 4
+_KINDS = {0: (_COMMAND, 0), 1: (_EVENT, 1), 2: (_DATA, 0), 3: (_DATA, 1)}
+"""By kind: the packet type of HCI, and 1 for a received packet."""
+
+_OTHERS = {8, 9, 10, 11, *range(0xF7, 0xFF)}
+"""Kinds of other records: sound, link management, texts, notes."""
+
+# The size of a packet by its first bytes, for each kind.
+_SIZES: dict[int, Callable[[bytes], int]] = {
+    0: lambda head: 3 + head[2],
+    1: lambda head: 2 + head[1],
+    2: lambda head: 4 + head[2] + 256 * head[3],
+}
+_SIZES[3] = _SIZES[2]
+
+_direction = struct.Struct(">IB")
+
+
+def order_of(head: bytes) -> str | None:
+    """Returns the byte order of a file by the head of its first record; None for other files."""
+    for order, record in _RECORDS.items() if len(head) >= SIZE else ():
+        length, seconds, microseconds, kind = record.unpack_from(head)
+        is_time = seconds >= _OLDEST and microseconds < _SECOND
+        size = _SIZES[kind](head[_SIZE:]) if kind in _SIZES else length - _LEAST
+        # A file of hcidump begins like this, but for the lengths.
+        is_size = _LEAST <= length <= _MOST and length - _LEAST == size
+        if is_size and is_time and (kind in _KINDS or kind in _OTHERS):
+            return order
+    return None
+
+
+def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
+    """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
+    interface = Interface(Link.HCI_WITH_DIRECTION)
+    order = order_of(stream.peek(SIZE))
+    record = _RECORDS[order or ">"]
+    number = position = 0
+    while head := stream.read(_SIZE):
+        number += 1
+        if len(head) < _SIZE:
+            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
+        length, seconds, microseconds, kind = record.unpack(head)
+        size = length - _LEAST
+        if not 0 <= size <= _MOST:
+            raise CaptureError(
+                f"the file is damaged at offset {position}: packet {number} would have {size} bytes; what follows"
+                " cannot be read"
+            )
+        data = stream.read(size)
+        kind_of_packet, is_received = _KINDS.get(kind, (0, 0))
+        head_of_packet = _direction.pack(is_received, kind_of_packet)
+        time_ns = (seconds * _SECOND + microseconds) * 1000
+        yield Packet(number, time_ns, head_of_packet + data, len(head_of_packet) + size, interface)
+        if len(data) < size:
+            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {size} bytes are there")
+        position += _SIZE + size

@@ -4,6 +4,7 @@ import { showDialogues } from "./dialogues.js";
 import { showMade } from "./made.js";
 import { NOTHING } from "./places.js";
 import { source } from "./reading.js";
+import { offerRemedies } from "./remedies.js";
 import { change } from "./state.js";
 import { view } from "./view.js";
 
@@ -19,7 +20,8 @@ import { view } from "./view.js";
  * @property {number} offset
  * @property {number} length
  */
-/** @typedef {{summary: string, blocks: Block[], accepted: number, places: string[]}} Findings */
+/** @typedef {{kind: "" | "takes" | "but" | "refuses", text: string}} Verdict */
+/** @typedef {{summary: string, verdict: Verdict, blocks: Block[], accepted: number, places: string[]}} Findings */
 /** @typedef {{count: number, rows: string[][]}} Dialogues */
 /**
  * @typedef {object} Answer  see Reading.answer in bridge/reading.py
@@ -37,9 +39,10 @@ import { view } from "./view.js";
 /** Shows an answer. @param {Answer} answer */
 export const show = (answer) => {
   change({ error: answer.error, canFix: answer.isFixable, isStale: false });
-  view(answer, (code) => source().ask("explain", code));
+  view(answer, (code) => source().ask("explain", code), (frame) => source().ask("about", frame));
   showMade(answer, (form) => source().ask("made", form));
   showDialogues(answer.dialogues);
+  offerRemedies();
 };
 
 /** Takes away what belongs to an older input. */

@@ -35,6 +35,8 @@ export const WARM_UP = [
   ["all_dialogues"],
   ["look", "SOUND(TONE, 1, 440, 1000)"],
   ["look", FRAME],
+  ["about", "0e002a0080000094010182b80182e803"],
+  ["remedies", FRAME],
   ["fix"],
   ["made", "c"],
   ["made", "python"],

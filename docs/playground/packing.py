@@ -15,18 +15,17 @@ from pathlib import Path, PurePosixPath
 HERE = Path(__file__).parent
 PACKAGES = ("construct", "click", "dpkt")
 
-WHOLE = ("bridge", "pyodide", "_pyodide")
-"""Packages whose modules are all packed: Pyodide imports its own from C and JavaScript."""
+WHOLE = ("bridge", "ev3proto.capture", "ev3proto.generate.captures", "pyodide", "_pyodide")
+"""Packages whose modules are all packed: they are imported by names that are computed, or from C and JavaScript."""
 
 ROOTS = (
     "site",
-    *(f"ev3proto.generate.captures.{carrier}" for carrier in ("bluetooth", "usb", "wifi")),
     *(
         f"encodings.{name}"
         for name in ("ascii", "cp437", "latin_1", "utf_16", "utf_16_be", "utf_16_le", "utf_8", "utf_8_sig")
     ),
 )
-"""What Python starts with, and what is imported by a name that is computed."""
+"""Other modules that Python starts with, or that are imported by a computed name."""
 
 REPLACED = {"dpkt/__init__.py": "from .dpkt import *\n"}
 """dpkt imports every protocol that it knows; those that are needed are imported by name."""
@@ -71,7 +70,7 @@ def _own() -> Iterator[tuple[str, Path]]:
 def _needed(sources: dict[str, str]) -> set[str]:
     """Returns the files of the modules that can be imported."""
     names = {_module(name): name for name in sources}
-    waiting = [*ROOTS, *(module for module in names if module.partition(".")[0] in WHOLE)]
+    waiting = [*ROOTS, *(module for module in names if f"{module}.".startswith(tuple(f"{it}." for it in WHOLE)))]
     found: set[str] = set()
     while waiting:
         module = waiting.pop()

@@ -1,13 +1,14 @@
 // Which line is about which byte: what marks and the dump need to know of an answer.
 
 /** @typedef {import("./answer.js").Row} Row */
-/** @typedef {{frame: number, offset: number, length: number, row: number, at?: number, line?: number, block?: number}} Target
- *  Bytes of a frame, and the line about them. `at` is a byte that was chosen, `line` a line of the input, `block` a finding. */
+/** @typedef {{frame: number, offset: number, length: number, row: number, at?: number, line?: number, block?: number, part?: number}} Target
+ *  Bytes of a frame, and the line about them. `at` is a byte that was chosen, `line` a line of the input, `block` a finding,
+ *  `part` a field of the header. */
 
 /** What is shown of no input. @type {import("./answer.js").Answer} */
 export const NOTHING = {
   error: "", count: 0, isProgram: false, lines: [], frames: {}, isFixable: false, made: { lesson: "" },
-  findings: { summary: "", blocks: [], accepted: 0, places: [] }, dialogues: { count: 0, rows: [] },
+  findings: { summary: "", verdict: { kind: "", text: "" }, blocks: [], accepted: 0, places: [] }, dialogues: { count: 0, rows: [] },
 };
 
 /** Bytes of a frame that are in the page at once. */

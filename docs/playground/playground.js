@@ -8,14 +8,18 @@ import { readFirst } from "./input.js";
 import { begin, cancel, counted, home } from "./reading.js";
 import { realBrick } from "./real_brick.js";
 import { sending } from "./sending.js";
-import { buttonTexts, change, follow } from "./state.js";
+import { buttonTexts, change, follow, verdictOf } from "./state.js";
 
 /** Sets a text that differs: screen readers read out what is set. @param {string} id @param {string} text */
 const setText = (id, text) => { if (find(id).textContent !== text) find(id).textContent = text; };
 
 follow((known) => {
-  for (const id of /** @type {const} */ (["status", "error", "note"])) setText(id, known[id]);
+  for (const id of /** @type {const} */ (["status", "error", "note", "sentence", "byte"])) setText(id, known[id]);
   for (const [id, text] of buttonTexts(known)) setText(id, text);
+  const { kind, text } = verdictOf(known);
+  setText("verdict", text);
+  find("verdict").dataset.kind = kind;
+  find("say").hidden = !known.sentence && !text;
   find("send", HTMLButtonElement).disabled = !known.isReady;
   find("fix").hidden = !known.canFix || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);

@@ -6,6 +6,9 @@
  * @property {string} status  a sentence in the head of the page
  * @property {string} error  what is wrong with the input
  * @property {string} note  what was done last
+ * @property {string} sentence  what the frame in the dump does
+ * @property {import("./answer.js").Verdict} verdict  what the brick makes of the input
+ * @property {string} byte  what the byte says that was chosen last
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
  * @property {boolean} isStale  whether what is shown belongs to an older input
  * @property {{part: number, count: number} | null} progress  of what takes long: the part that is done, the frames so far
@@ -23,6 +26,9 @@ let now = {
   status: "Loading …",
   error: "",
   note: "",
+  sentence: "",
+  verdict: { kind: "", text: "" },
+  byte: "",
   file: "",
   isStale: false,
   progress: null,
@@ -50,6 +56,17 @@ export const change = (changes) => {
 export const follow = (draw) => {
   drawings.push(draw);
   draw(now);
+};
+
+/**
+ * Returns what the brick makes of the input, where only a part of it could be read.
+ *
+ * @param {Readonly<State>} known
+ * @returns {import("./answer.js").Verdict}
+ */
+export const verdictOf = ({ verdict, error }) => {
+  if (!error || verdict.kind !== "takes") return verdict;
+  return { kind: "but", text: `${verdict.text.replace(/\.$/, "")}, but not all of the input could be read.` };
 };
 
 /**

@@ -1,208 +1,158 @@
-// What the input says: findings, the bytes as a dump, the tree. Pointing at one of them marks all three; a click keeps it.
+// What the input says: findings, the bytes as a dump, header and tree. Pointing at one of them marks all; a click keeps it.
 
+import { classesOf, drawDump } from "./dump.js";
 import { filled, find, make } from "./elements.js";
-import { MOST_BYTES, NOTHING, overlap, partOf, rowAt, rowsByFrame, targetOf } from "./places.js";
+import { showFindings } from "./findings.js";
+import { byteAt, lineOf, mark, unmark } from "./marks.js";
+import { colour } from "./paint.js";
+import { MOST_BYTES, NOTHING, partOf, rowAt, rowsByFrame, targetOf } from "./places.js";
+import { change } from "./state.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./places.js").Target} Target */
+/** @typedef {{name: string, offset: number, length: number, text: string}} Part  a field of a header */
+/** @typedef {{sentence: string, parts: Part[], bytes: string[]}} About  what a frame says in words, see bridge/about.py */
 
 const COLUMNS = 16, FEW_COLUMNS = 8;
+/** The width of a page that has room for all columns, in pixels. */
 const WIDE = 560;
 const MOST_ROWS_SHOWN = 10;
-const HEADER = [2, 4, 5, 7];
-/** A line of bytes below a finding, or of marks under them. */
-const EXCERPT = /^ *(\+\d+)? \|/;
+/** @type {About} */
+const UNKNOWN = { sentence: "", parts: [], bytes: [] };
 
-const bytesBox = find("bytes"), treeBox = find("tree"), findingsBox = find("findings"), readBox = find("read");
+const bytesBox = find("bytes"), headerBox = find("header"), treeBox = find("tree"), findingsBox = find("findings"), readBox = find("read");
 
-/** @type {Answer} */
-let shown = NOTHING;
-let rowsOf = rowsByFrame([]);
-/** What is kept by a click, and what is marked now. @type {Target | null} */
-let kept = null, /** @type {Target | null} */ marked = null, isKept = false;
-/** The frame in the dump, and its first byte that is shown. */
-let dumped = { frame: -1, start: 0, columns: COLUMNS };
+/** @returns {number} */
+const columns = () => (readBox.clientWidth < WIDE ? FEW_COLUMNS : COLUMNS);
+
+/**
+ * What is shown: the answer; its lines by frame; what is kept by a click or key, and what is marked now; the frame in the
+ * dump, its first byte there, and what it says.
+ */
+const now = {
+  shown: NOTHING,
+  rows: rowsByFrame([]),
+  kept: /** @type {Target | null} */ (null),
+  marked: /** @type {Target | null} */ (null),
+  isKept: false,
+  frame: -1, start: 0, columns: columns(),
+  about: UNKNOWN,
+  ask: /** @type {(frame: string) => Promise<About>} */ (async () => UNKNOWN),
+};
 
 /**
  * Shows an answer of Python.
  *
  * @param {Answer} answer
- * @param {(code: string) => Promise<string>} explain  tells what a code means
+ * @param {import("./findings.js").Explain} explain
+ * @param {(frame: string) => Promise<About>} ask  tells what a frame says, given in hex
  */
-export const view = (answer, explain) => {
-  shown = answer;
-  rowsOf = rowsByFrame(shown.lines);
-  find("read").hidden = !shown.lines.length;
-  find("count").textContent = shown.count > 1 ? `${shown.count.toLocaleString("en")} frames` : "";
+export const view = (answer, explain, ask) => {
+  Object.assign(now, {
+    shown: answer, rows: rowsByFrame(answer.lines), marked: null, isKept: false, frame: -1, columns: columns(), about: UNKNOWN, ask,
+  });
+  readBox.hidden = !answer.lines.length;
+  find("count").textContent = answer.count > 1 ? `${answer.count.toLocaleString("en")} frames` : "";
+  change({ verdict: answer.findings.verdict, sentence: "", byte: "" });
   showTree();
-  showFindings(explain);
-  marked = null;
-  isKept = false;
-  dumped = { frame: -1, start: 0, columns: columns() };
+  showHeader();
+  showFindings(answer.findings, explain);
   fitDump();
-  const first = shown.lines.findIndex(([, frame]) => frame >= 0);
+  const first = answer.lines.findIndex(([, frame]) => frame >= 0);
   // The first message is chosen for the keyboard, but a mark over all of it would say nothing.
-  kept = first < 0 ? null : targetOf(shown.lines, first);
-  if (kept) dump(kept.frame, 0);
+  now.kept = first < 0 ? null : targetOf(answer.lines, first);
+  if (now.kept) dump(now.kept.frame, 0);
 };
 
-/** Returns the line about a byte; -1 for none. @param {number} frame @param {number} at */
-const lineAt = (frame, at) => rowAt(shown.lines, rowsOf.get(frame) ?? [], at);
-
 /** Returns the number of bytes of a frame. @param {number} frame */
-const sizeOf = (frame) => (shown.frames[frame]?.length ?? 0) / 2;
+const sizeOf = (frame) => (now.shown.frames[frame]?.length ?? 0) / 2;
 
-// The tree
+// The tree, and the header above it
 
 const showTree = () => {
-  treeBox.replaceChildren(...shown.lines.map(([pieces, frame], number) => {
+  treeBox.replaceChildren(...now.shown.lines.map(([pieces, frame], number) => {
     const row = filled(make("span"), pieces);
     row.append("\n");
-    if (frame >= 0) {
-      row.role = "treeitem";
-      row.id = `line-${number}`;
-      row.dataset.row = String(number);
-    }
+    if (frame >= 0) asItem(row, `line-${number}`, pieces[0]?.[0].match(/^ */)?.[0].length ?? 0);
+    if (frame >= 0) row.dataset.row = String(number);
     return row;
   }));
 };
 
-// Findings
-
-/** @param {(code: string) => Promise<string>} explain */
-const showFindings = (explain) => {
-  const { summary, blocks, accepted, places } = shown.findings;
-  /** @type {HTMLElement[]} */
-  const elements = summary ? [make("p", `${summary}\n`, "summary")] : [];
-  find("check").hidden = !summary && !blocks.length;
-  blocks.forEach((block, number) => {
-    const box = make("div", "", `finding ${block.severity}`);
-    if (block.frame >= 0) box.dataset.block = String(number);
-    /** @type {HTMLElement | null} */
-    let excerpt = null;
-    for (const pieces of block.lines) {
-      const text = pieces.map(([it]) => it).join("");
-      const line = filled(make("div", "", text ? "" : "gap"), pieces);
-      line.append("\n");
-      if (!EXCERPT.test(text)) {
-        excerpt = null;
-        box.append(line);
-      } else {
-        // The bytes and their marks scroll together.
-        if (!excerpt) {
-          excerpt = make("div", "", "excerpt");
-          box.append(excerpt);
-        }
-        excerpt.append(line);
-      }
-    }
-    for (const code of block.codes) box.append(explanation(code, explain));
-    elements.push(box);
-  });
-  if (accepted) {
-    const more = make("details", "", "accepted");
-    const left = accepted - places.length;
-    const lines = [...places.map((place) => `${place}: accepted: no findings`), ...(left ? [`... and ${left} more`] : [])];
-    more.append(make("summary", `${accepted.toLocaleString("en")} accepted`), make("pre", lines.join("\n")));
-    elements.push(more);
-  }
-  findingsBox.replaceChildren(...elements);
+/** Makes a line an item of a tree. @param {HTMLElement} row @param {string} id @param {number} indent  its level follows from it */
+const asItem = (row, id, indent) => {
+  row.role = "treeitem";
+  row.id = id;
+  row.setAttribute("aria-level", String(indent ? 2 : 1));
+  row.setAttribute("aria-selected", "false");
 };
 
-/** @param {string} code @param {(code: string) => Promise<string>} explain */
-const explanation = (code, explain) => {
-  const more = make("details"), body = make("pre");
-  more.append(make("summary", `What ${code} means`), body);
-  more.ontoggle = async () => { if (!body.textContent) body.textContent = await explain(code); };
-  return more;
+const showHeader = () => {
+  headerBox.hidden = !now.about.parts.length;
+  headerBox.replaceChildren(...now.about.parts.map(({ name, offset, text }, number) => {
+    const row = filled(make("span"), [[String(offset).padStart(6), "aside"], [`  ${name}`, `name field-${name}`], [` = ${text}`, "plain"]]);
+    asItem(row, `part-${number}`, 0);
+    row.dataset.part = String(number);
+    return row;
+  }));
 };
 
 // The dump
 
-const columns = () => (readBox.clientWidth < WIDE ? FEW_COLUMNS : COLUMNS);
-
 /** Makes the box high enough for the longest frame, so that pointing at another one moves nothing. */
 const fitDump = () => {
-  const most = Math.max(0, ...Object.values(shown.frames).map((hex) => hex.length / 2));
-  bytesBox.style.setProperty("--rows", String(Math.min(Math.ceil(most / dumped.columns), MOST_ROWS_SHOWN)));
+  const most = Math.max(0, ...Object.values(now.shown.frames).map((hex) => hex.length / 2));
+  bytesBox.style.setProperty("--rows", String(Math.min(Math.ceil(most / now.columns), MOST_ROWS_SHOWN)));
   if (!most) bytesBox.replaceChildren();
 };
 
-/** @param {number} frame @param {number} at */
+/** Has a byte of a frame in the dump. @param {number} frame @param {number} at */
 const dump = (frame, at) => {
-  const hex = shown.frames[frame] ?? "";
-  const size = sizeOf(frame);
+  const isFrame = now.frame === frame;
   // Of a long program only a part is in the page.
-  const start = partOf(size, at);
-  const isThere = dumped.frame === frame && (size <= MOST_BYTES || (at >= dumped.start && at < dumped.start + MOST_BYTES));
-  if (isThere) return;
-  dumped = { frame, start, columns: dumped.columns };
-  const cuts = new Set(shown.isProgram ? [] : HEADER);
-  for (const row of rowsOf.get(frame) ?? []) {
-    const [, , offset, length] = shown.lines[row];
-    cuts.add(offset);
-    cuts.add(offset + length);
-  }
-  const end = Math.min(size, start + MOST_BYTES);
-  let tint = false;
-  const rows = [];
-  for (let row = start; row < end; row += dumped.columns) {
-    const line = make("div"), letters = make("code");
-    line.append(make("i", row.toString(16).toUpperCase().padStart(4, "0")));
-    for (let index = row; index < Math.min(end, row + dumped.columns); index++) {
-      if (cuts.has(index)) tint = !tint;
-      const text = hex.slice(2 * index, 2 * index + 2).toUpperCase();
-      const byte = make("span", text, tint ? "tint" : "");
-      byte.role = "option";
-      byte.id = `byte-${index}`;
-      byte.dataset.at = String(index);
-      const number = parseInt(text, 16);
-      const letter = make("samp", number > 31 && number < 127 ? String.fromCharCode(number) : "·");
-      letter.dataset.letter = String(index);
-      letters.append(letter);
-      line.append(byte);
-    }
-    for (let index = end; index < row + dumped.columns; index++) line.append(make("u"));
-    line.append(letters);
-    rows.push(line);
-  }
-  const isCut = start > 0 || end < size;
-  bytesBox.replaceChildren(...rows, ...(isCut ? [make("div", `bytes ${start} to ${end - 1} of ${size}`, "aside")] : []));
+  const isPart = sizeOf(frame) <= MOST_BYTES || (at >= now.start && at < now.start + MOST_BYTES);
+  if (isFrame && isPart) return;
+  now.frame = frame;
+  now.start = partOf(sizeOf(frame), at);
+  if (!isFrame) now.about = UNKNOWN;
+  draw();
+  if (!isFrame) tell(frame);
+};
+
+const draw = () => {
+  const { frame, start, shown, about } = now;
+  const hex = shown.frames[frame] ?? "", size = sizeOf(frame);
+  const parts = (now.rows.get(frame) ?? []).map((row) => targetOf(shown.lines, row));
+  const classes = classesOf(size, about.parts, parts);
+  drawDump(bytesBox, { hex, start, end: Math.min(size, start + MOST_BYTES), columns: now.columns, classes });
+  const same = Object.entries(shown.frames).filter(([number, other]) => Number(number) < frame && other === hex);
+  colour(shown.isProgram ? "" : hex, classes, same.length);
+};
+
+/** Says what a frame means, as soon as Python has told. @param {number} frame */
+const tell = async (frame) => {
+  const { shown } = now;
+  if (shown.isProgram) return;
+  const about = await now.ask(shown.frames[frame] ?? "");
+  if (shown !== now.shown || frame !== now.frame) return;
+  now.about = about;
+  change({ sentence: about.sentence });
+  showHeader();
+  draw();
+  show(now.marked);
 };
 
 // Marks
 
-/** Marks a target in all three, and takes the marks of the one before away. @type {(target: Target | null) => void} */
-const mark = (target) => {
-  for (const element of document.querySelectorAll("#bytes .chosen, #bytes .named, #tree .chosen, #findings .chosen")) {
-    element.classList.remove("chosen", "named");
-    if (element.role) element.setAttribute("aria-selected", "false");
+/** Marks a target, or nothing. @param {Target | null} target */
+const show = (target) => {
+  now.marked = target;
+  if (!target) {
+    unmark();
+    return;
   }
-  marked = target;
-  if (!target) return;
-  const { frame, offset, length, row } = target;
-  dump(frame, offset);
-  const at = target.at ?? offset;
-  for (let index = offset; index < offset + length; index++) {
-    const byte = byteAt(index);
-    byte?.classList.add("chosen");
-    byte?.setAttribute("aria-selected", "true");
-  }
-  for (const letter of /** @type {NodeListOf<HTMLElement>} */ (bytesBox.querySelectorAll("[data-letter]"))) {
-    const index = Number(letter.dataset.letter);
-    if (index >= offset && index < offset + length) letter.classList.add("named");
-  }
-  bytesBox.setAttribute("aria-activedescendant", `byte-${at}`);
-  const line = treeBox.children[row];
-  line?.classList.add("chosen");
-  line?.setAttribute("aria-selected", "true");
-  treeBox.setAttribute("aria-activedescendant", line?.id ?? "");
-  shown.findings.blocks.forEach((block, number) => {
-    const isAbout = block.codes.length && block.frame === frame && overlap(block, target);
-    if (isAbout && (length < sizeOf(frame) || target.block === number)) {
-      findingsBox.querySelector(`[data-block="${number}"]`)?.classList.add("chosen");
-    }
-  });
+  dump(target.frame, target.offset);
+  mark(target, now.shown.findings.blocks, sizeOf(target.frame));
 };
 
 /** @param {Element} box @param {Element | null} element */
@@ -213,36 +163,52 @@ const scroll = (box, element) => {
   else if (bottom > outer.bottom) box.scrollTop += bottom - outer.bottom;
 };
 
-/** @param {Target} target */
+/** Keeps a target marked, and says what its byte means. @param {Target} target */
 const keep = (target) => {
-  kept = target;
-  isKept = true;
-  mark(target);
-  scroll(treeBox, treeBox.children[target.row]);
-  scroll(bytesBox, byteAt(target.at ?? target.offset));
+  now.kept = target;
+  now.isKept = true;
+  show(target);
+  const at = target.at ?? target.offset;
+  scroll(treeBox, lineOf(target));
+  scroll(bytesBox, byteAt(at));
+  change({ byte: now.about.bytes[at] ?? "" });
 };
 
-/** Returns the byte in the dump, if it is there. @param {number} at */
-const byteAt = (at) => document.getElementById(`byte-${at}`);
-
-/** What an event is about: a row, a byte or letter, a finding. @param {Event} event @returns {Target | null} */
-const pointed = ({ target }) => {
-  const element = target instanceof Element ? target.closest("[data-row], [data-at], [data-letter], [data-block]") : null;
-  if (!(element instanceof HTMLElement)) return null;
-  if (element.dataset.row !== undefined) return targetOf(shown.lines, Number(element.dataset.row));
-  if (element.dataset.block !== undefined) {
-    const number = Number(element.dataset.block);
-    const { frame, offset, length, line } = shown.findings.blocks[number];
+/** How to find what an event is about: by the data of an element. @type {Record<string, (number: number) => Target>} */
+const TARGETS = {
+  row: (number) => targetOf(now.shown.lines, number),
+  part: (number) => partTarget(number),
+  at: (number) => byteTarget(now.frame, number),
+  letter: (number) => byteTarget(now.frame, number),
+  block: (number) => {
+    const { frame, offset, length, line } = now.shown.findings.blocks[number];
     return { frame, offset, length, line, block: number, row: lineAt(frame, offset) };
-  }
-  const at = Number(element.dataset.at ?? element.dataset.letter);
-  return byteTarget(dumped.frame, at);
+  },
+};
+
+/** Returns what an event is about: a row, a byte or letter, a finding. @param {Event} event @returns {Target | null} */
+const pointed = ({ target }) => {
+  const element = target instanceof Element ? target.closest("[data-row], [data-part], [data-at], [data-letter], [data-block]") : null;
+  if (!(element instanceof HTMLElement)) return null;
+  const kind = Object.keys(TARGETS).find((name) => element.dataset[name] !== undefined);
+  return kind ? TARGETS[kind](Number(element.dataset[kind])) : null;
+};
+
+/** Returns the line about a byte; -1 for none. @param {number} frame @param {number} at */
+const lineAt = (frame, at) => rowAt(now.shown.lines, now.rows.get(frame) ?? [], at);
+
+/** @param {number} number @returns {Target} */
+const partTarget = (number) => {
+  const { offset, length } = now.about.parts[number];
+  return { frame: now.frame, offset, length, row: -1, part: number };
 };
 
 /** @param {number} frame @param {number} at @returns {Target} */
 const byteTarget = (frame, at) => {
+  const part = frame === now.frame ? now.about.parts.findIndex(({ offset, length }) => at >= offset && at < offset + length) : -1;
+  if (part >= 0) return { ...partTarget(part), at };
   const row = lineAt(frame, at);
-  return row < 0 ? { frame, offset: at, length: 1, row, at } : { ...targetOf(shown.lines, row), at };
+  return row < 0 ? { frame, offset: at, length: 1, row, at } : { ...targetOf(now.shown.lines, row), at };
 };
 
 /** Calls a function when a finding is chosen that is in a line of the text. @param {(line: number) => void} choose */
@@ -253,16 +219,16 @@ export const onLine = (choose) => {
   });
 };
 
-for (const box of [bytesBox, treeBox, findingsBox]) {
+for (const box of [bytesBox, headerBox, treeBox, findingsBox]) {
   box.addEventListener("pointerover", (event) => {
     if (event.pointerType === "touch") return;
     const target = pointed(event);
     if (!target) return;
-    mark(target);
+    show(target);
     if (box !== bytesBox) scroll(bytesBox, byteAt(target.offset));
   });
   box.addEventListener("pointerleave", (event) => {
-    if (event.pointerType !== "touch" && marked !== kept) mark(isKept ? kept : null);
+    if (event.pointerType !== "touch" && now.marked !== now.kept) show(now.isKept ? now.kept : null);
   });
   box.addEventListener("click", (event) => {
     if (event.target instanceof Element && event.target.closest("a, summary, details")) return;
@@ -270,26 +236,53 @@ for (const box of [bytesBox, treeBox, findingsBox]) {
     if (target) keep(target);
   });
 }
-treeBox.addEventListener("keydown", (event) => {
-  const step = { ArrowDown: 1, ArrowUp: -1 }[/** @type {"ArrowDown"} */ (event.key)];
-  if (!step || !kept) return;
+
+/**
+ * Has keys move what is kept.
+ *
+ * @param {HTMLElement} box
+ * @param {(key: string) => number | undefined} stepOf
+ * @param {(kept: Target, step: number) => Target | null} next
+ */
+const onKeys = (box, stepOf, next) => box.addEventListener("keydown", (event) => {
+  const step = stepOf(event.key);
+  if (!step || !now.kept) return;
   event.preventDefault();
+  const target = next(now.kept, step);
+  if (target) keep(target);
+});
+/** @type {Record<string, number>} */
+const UP_DOWN = { ArrowDown: 1, ArrowUp: -1 };
+
+onKeys(treeBox, (key) => UP_DOWN[key], (kept, step) => {
+  const { lines } = now.shown;
   let next = kept.row + step;
-  while (shown.lines[next] && shown.lines[next][1] < 0) next += step;
-  if (shown.lines[next]) keep(targetOf(shown.lines, next));
+  while (lines[next] && lines[next][1] < 0) next += step;
+  return lines[next] ? targetOf(lines, next) : null;
 });
-bytesBox.addEventListener("keydown", (event) => {
-  const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: dumped.columns, ArrowUp: -dumped.columns }[/** @type {"ArrowRight"} */ (event.key)];
-  if (!step || !kept) return;
+onKeys(headerBox, (key) => UP_DOWN[key], (kept, step) => {
+  const next = kept.part === undefined ? 0 : kept.part + step;
+  return now.about.parts[next] ? partTarget(next) : null;
+});
+onKeys(
+  bytesBox,
+  (key) => ({ ArrowRight: 1, ArrowLeft: -1, ArrowDown: now.columns, ArrowUp: -now.columns })[key],
+  (kept, step) => {
+    const next = (kept.at ?? kept.offset) + step;
+    return next >= 0 && next < sizeOf(kept.frame) ? byteTarget(kept.frame, next) : null;
+  },
+);
+findingsBox.addEventListener("keydown", (event) => {
+  if (event.key !== "Enter" || !(event.target instanceof HTMLElement) || event.target.dataset.block === undefined) return;
   event.preventDefault();
-  const next = (kept.at ?? kept.offset) + step;
-  if (next >= 0 && next < sizeOf(kept.frame)) keep(byteTarget(kept.frame, next));
+  event.target.click();
 });
+
 new ResizeObserver(() => {
-  const now = columns();
-  if (now === dumped.columns) return;
-  dumped = { frame: -1, start: 0, columns: now };
+  const count = columns();
+  if (count === now.columns) return;
+  now.columns = count;
   fitDump();
-  if (kept) dump(kept.frame, kept.offset);
-  mark(marked);
+  if (now.frame >= 0) draw();
+  show(now.marked);
 }).observe(readBox);

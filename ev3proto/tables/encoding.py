@@ -12,6 +12,13 @@ from ev3proto.tables.declaration import Parameter, Type
 CONSTANT, TEXT, LOCAL, GLOBAL, JUMP = "constant", "string", "local", "global", "label"
 """The kinds of argument."""
 
+LONG_BIT = 0x80
+"""The value is in the bytes that follow; without it, in the lowest five bits."""
+
+VARIABLE_BIT = 0x40
+GLOBAL_BIT = 0x20
+"""Of a variable: in global memory, not in local memory. Of a long constant: a label."""
+
 HANDLE_BIT = 0x10
 ADDRESS_BIT = 0x08
 

@@ -153,14 +153,37 @@ def test_what_is_typed_is_read_and_is_in_the_link(page: Page) -> None:
     page.wait(lambda: "error[E102]" in page.text("findings"))
     page.browser.find_element(By.CSS_SELECTOR, "#findings summary").click()
     page.wait(lambda: "the length field" in page.text("findings").partition("What E102 means")[2])
-    page.click("fix")
-    page.wait(lambda: page.input == "08:00|2A:00|00|04:00|81|01|60|")
+    page.browser.find_element(By.CSS_SELECTOR, "#remedies button").click()
+    page.wait(lambda: page.input == "0x|08:00|2A:00|00|04:00|81:01:60|")
     page.wait(lambda: page.text("findings") == "accepted: no findings\n")
     page.type("")
     page.wait(lambda: page.text("tree") == "")
     assert "#" not in page.browser.current_url
     for name in ("check", "read", "make", "fix"):
         assert not page.is_shown(name)
+
+
+@pytest.mark.parametrize(
+    ("text", "button", "frame"),
+    [
+        ("94 01 01 82 B8 01 82 E8 03", "Add a header", "0x|0E:00|00:00|80|00:00|94:01:01:82:B8:01:82:E8:03|"),
+        (
+            "2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03",
+            "Add the length",
+            "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|",
+        ),
+        ("08 00 2A O0 00 04 00 81 0l 60", "Read O as 0 and l as 1", "0x|08:00|2A:00|00|04:00|81:01:60|"),
+        ("0x|08:00|01:00|00|01:00|81:01:60|", "Use this", "0x|08:00|01:00|00|04:00|81:01:60|"),
+    ],
+)
+def test_buttons_offer_what_was_meant(page: Page, text: str, button: str, frame: str) -> None:
+    page.type(text)
+    page.wait(lambda: page.texts("#remedies button") == [button])
+    assert "--" not in page.text("error")
+    page.browser.find_element(By.CSS_SELECTOR, "#remedies button").click()
+    page.wait(lambda: page.input == frame)
+    page.wait(lambda: page.text("verdict") == "The brick takes it.")
+    page.wait(lambda: page.texts("#remedies button") == [])
 
 
 def test_the_tutorial_begins_with_what_the_page_shows(page: Page) -> None:
@@ -234,7 +257,7 @@ def test_findings_come_first_by_line_errors_before_warnings(page: Page) -> None:
     assert accepted.text == "19 accepted"
     assert "input, line 21: accepted: no findings" in str(accepted.get_property("textContent"))
     # Choosing a finding selects its line.
-    page.browser.find_elements(By.CSS_SELECTOR, "#findings .error")[1].click()
+    page.browser.find_elements(By.CSS_SELECTOR, "#findings .suggestion")[1].click()
     assert page.run("return input.value.slice(input.selectionStart, input.selectionEnd)") == error
 
 
@@ -291,6 +314,68 @@ def test_a_finding_marks_its_bytes_and_its_line(page: Page) -> None:
     assert page.texts("#tree .chosen") == ["     9    VALUE = GV(1)  GV0: voltage\n"]
     page.browser.find_element(By.CSS_SELECTOR, "#bytes [data-at='9']").click()
     assert "chosen" in str(finding.get_attribute("class"))
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence", "kind", "verdict"),
+    [
+        (TONE, "Plays 440 Hz for 1 s at volume 1 %.", "takes", "The brick takes it."),
+        (
+            "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|",
+            "Plays 10 Hz for 1 s at volume 1 %.",
+            "but",
+            "The brick takes it, but FREQUENCY is 10 Hz, outside of 250 to 10000 Hz.",
+        ),
+        (
+            "0x|08:00|01:00|00|05:00|81:01:61|",
+            "Reads the battery voltage.",
+            "refuses",
+            "The brick refuses it at byte 7, because VALUE is GV(1), and must start at a multiple of 4.",
+        ),
+    ],
+)
+def test_one_sentence_and_one_verdict_come_first(page: Page, text: str, sentence: str, kind: str, verdict: str) -> None:
+    page.read(text)
+    page.wait(lambda: page.text("sentence") == sentence)
+    assert page.text("verdict") == verdict
+    assert page.run("return document.getElementById('verdict').dataset.kind") == kind
+    assert page.run("return say.getBoundingClientRect().bottom <= check.getBoundingClientRect().top")
+
+
+def test_no_green_verdict_above_a_red_error(page: Page) -> None:
+    page.read(f"{TONE}\n0x|zz:00|\n")
+    page.wait(lambda: page.text("error"))
+    assert page.run("return document.getElementById('verdict').dataset.kind") == "but"
+    page.type("UI_WRITE(LED, LED_RDE)")
+    page.wait(lambda: "did you mean" in page.text("error"))
+    assert page.text("verdict") == page.text("sentence") == ""
+
+
+def test_each_byte_of_the_header_explains_itself(page: Page) -> None:
+    page.read("0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|")
+    page.wait(lambda: len(page.texts("#header [role=treeitem]")) == 4)
+    assert [row.split()[:2] for row in page.texts("#header [role=treeitem]")] == [
+        ["0", "length"],
+        ["2", "counter"],
+        ["4", "type"],
+        ["5", "memory"],
+    ]
+    colours = page.run(
+        "return ['length', 'counter', 'type', 'memory'].map((name) =>"
+        " [...document.querySelectorAll(`.field-${name}`)].map((each) => getComputedStyle(each).backgroundColor))"
+    )
+    assert all(len(set(each)) == 1 for each in colours)
+    assert len({each[0] for each in colours}) == 4
+    # Each byte is marked together with its row and its digits in the input, and says what it is.
+    for at, byte in enumerate(bytes.fromhex(TONE)):
+        page.browser.find_element(By.CSS_SELECTOR, f"#bytes [data-at='{at}']").click()
+        assert page.text("byte").startswith(f"Byte {at}: 0x{byte:02X}")
+        assert len(page.texts("#tree .chosen, #header .chosen")) == 1
+        assert page.texts("#paint .chosen") == page.texts("#bytes .chosen") != []
+    page.browser.find_element(By.CSS_SELECTOR, "#bytes [data-at='10']").click()
+    assert page.text("byte") == "Byte 10: 0x82 = 1 0 0 0 0 010, long constant, 2 bytes after it (LC2): FREQUENCY = 440"
+    page.browser.find_element(By.CSS_SELECTOR, "#header [data-part='1']").click()
+    assert page.texts("#bytes .chosen") == page.texts("#paint .chosen") == ["2A", "00"]
 
 
 class _Ids(HTMLParser):

@@ -24,14 +24,17 @@ from ev3proto.text.paste import read_argument
 from ev3proto.text.phrases import MACROS, Seen, heading
 from ev3proto.text.spans import plain_text, visible
 
+from .about import about
 from .completing import complete
 from .reading import MOST_SENT, Input, Publish
+from .remedies import remedies
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:
     from .real_brick import RealBrick
 
 __all__ = [
+    "about",
     "act",
     "all_dialogues",
     "as_assembly",
@@ -49,6 +52,7 @@ __all__ = [
     "open_file",
     "play",
     "record",
+    "remedies",
     "sent",
     "talk",
     "tick",

@@ -15,6 +15,7 @@ from ev3proto.errors import counted
 from ev3proto.program.report import ProgramReport, program_findings
 from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
+from ev3proto.text.verdict import REFUSES, TAKES, TAKES_BUT, verdict
 
 from .rows import pieces
 
@@ -23,6 +24,9 @@ MOST_FRAMES = 100
 
 MOST_ACCEPTED = 1000
 """Maximum number of accepted frames that are listed."""
+
+SUGGESTION = "suggestion"
+"""In place of a severity: what was meant."""
 
 _SEVERITIES = tuple(Severity)
 
@@ -97,6 +101,7 @@ class Findings:
         """Returns what is shown, for JSON.
 
         summary   of many frames
+        verdict   what the brick makes of it: its kind (see `ev3proto.text.verdict`; empty for none) and a sentence
         blocks    each finding, or verdict, with its lines, severity, code, frame, line of the text, offset, length
         accepted  the number of accepted frames among many
         places    where they are
@@ -119,10 +124,27 @@ class Findings:
             blocks.append(_block([line], None, "accepted"))
         return {
             "summary": "" if is_alone or not self._checked + self._skipped else self._summary(),
+            "verdict": dict(zip(("kind", "text"), self._verdict(), strict=True)),
             "blocks": blocks,
             "accepted": 0 if is_alone else self._accepted,
             "places": [] if is_alone else self._accepted_places,
         }
+
+    def _verdict(self) -> tuple[str, str]:
+        """Returns kind and text of the verdict on all frames."""
+        if not self._checked:
+            return "", ""
+        if self._checked == 1:
+            return verdict(self.frames[0].report) if self.frames else (TAKES, "The brick takes it.")
+        worse = len(self._frames[Severity.ERROR]) + self._left_out[Severity.ERROR]
+        noted = self._checked - self._accepted - worse
+        parts = [
+            f"{count} {what}"
+            for count, what in ((self._accepted, "as they are"), (noted, "with warnings"), (worse, "with errors"))
+            if count
+        ]
+        kind = REFUSES if worse else TAKES_BUT if noted else TAKES
+        return kind, f"{counted(self._checked, 'frame')} for the brick: {', '.join(parts)}."
 
     def _summary(self) -> str:
         found = ", ".join(counted(self._counts[severity], str(severity)) for severity in _SEVERITIES)
@@ -153,9 +175,11 @@ def _block(lines: Iterable[Line], checked: Checked | None, severity: str = "") -
     shown = list(lines)
     codes = list(dict.fromkeys(line.code for line in shown if line.code))
     at, length = 0, 0 if checked is None else len(checked.report.frame)
-    about = next((line for line in shown if line.code and line.offset is not None), None)
+    # The verdict comes first; other lines without a code tell what was meant.
+    about = next((line for line in shown if line.offset is not None and (line.code or not shown[0])), None)
     if about is not None and about.offset is not None:
-        at, length, severity = about.offset, about.length or 1, _severity(about.code)
+        at, length = about.offset, about.length or 1
+        severity = _severity(about.code) if about.code else SUGGESTION
     return {
         "lines": [pieces(line) for line in shown],
         "severity": severity,

@@ -32,6 +32,7 @@ from ev3proto.text.phrases import command_spans, reply_spans
 from ev3proto.text.spans import plain_text, visible
 
 from .findings import Findings
+from .remedies import with_buttons
 from .rows import Rows
 
 MOST_SHOWN = 200_000
@@ -287,7 +288,7 @@ class Input:
             lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
         left = self._problem_count - len(self._problems) + max(len(lines) - MOST_COMPLAINTS, 0)
         shown = [*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines"] if left else [])]
-        return "".join(f"{visible(line)}\n" for line in shown)
+        return "".join(f"{with_buttons(visible(line))}\n" for line in shown)
 
     def made(self, form: str) -> str:
         """Returns the frames in a notation, as far as they are shown."""

@@ -1,0 +1,68 @@
+// What a check found, as elements: the bytes of an excerpt and their marks scroll together, Enter opens a finding.
+
+import { filled, find, make } from "./elements.js";
+
+/** A line of bytes below a finding, or of marks under them. */
+const EXCERPT = /^ *(\+\d+)? \|/;
+
+/** @typedef {(code: string) => Promise<string>} Explain  tells what a code means */
+
+/** Shows findings. @param {import("./answer.js").Findings} findings @param {Explain} explain */
+export const showFindings = ({ summary, blocks, accepted, places }, explain) => {
+  find("check").hidden = !summary && !blocks.length;
+  find("findings").replaceChildren(
+    ...(summary ? [make("p", `${summary}\n`, "summary")] : []),
+    ...blocks.map((block, number) => blockBox(block, number, explain)),
+    ...(accepted ? [acceptedBox(accepted, places)] : []),
+  );
+};
+
+/** @param {import("./answer.js").Block} block @param {number} number @param {Explain} explain */
+const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
+  const box = make("div", "", `finding ${severity}`);
+  if (frame >= 0) {
+    box.dataset.block = String(number);
+    box.tabIndex = 0;
+    box.role = "group";
+    box.setAttribute("aria-label", `${severity || "verdict"}: ${textOf(lines[0] ?? [])}`);
+  }
+  /** @type {HTMLElement | null} */
+  let excerpt = null;
+  for (const pieces of lines) {
+    const text = textOf(pieces);
+    const line = filled(make("div", "", text ? "" : "gap"), pieces);
+    line.append("\n");
+    if (EXCERPT.test(text)) {
+      if (!excerpt) {
+        excerpt = make("div", "", "excerpt");
+        box.append(excerpt);
+      }
+      excerpt.append(line);
+    } else {
+      excerpt = null;
+      box.append(line);
+    }
+  }
+  box.append(...codes.map((code) => explanation(code, explain)));
+  return box;
+};
+
+/** @param {import("./elements.js").Piece[]} pieces */
+const textOf = (pieces) => pieces.map(([text]) => text).join("");
+
+/** @param {number} accepted @param {string[]} places */
+const acceptedBox = (accepted, places) => {
+  const more = make("details", "", "accepted");
+  const left = accepted - places.length;
+  const lines = [...places.map((place) => `${place}: accepted: no findings`), ...(left ? [`... and ${left} more`] : [])];
+  more.append(make("summary", `${accepted.toLocaleString("en")} accepted`), make("pre", lines.join("\n")));
+  return more;
+};
+
+/** @param {string} code @param {Explain} explain */
+const explanation = (code, explain) => {
+  const more = make("details"), body = make("pre");
+  more.append(make("summary", `What ${code} means`), body);
+  more.ontoggle = async () => { if (!body.textContent) body.textContent = await explain(code); };
+  return more;
+};

@@ -1,0 +1,147 @@
+"""What each byte of a frame says: one line a byte, and one a field of the header, for people who learn the protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ev3proto.errors import counted
+from ev3proto.messages import (
+    Argument,
+    DaisyCommand,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+)
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.tables.encoding import (
+    ADDRESS_BIT,
+    ENCODINGS,
+    GLOBAL_BIT,
+    HANDLE_BIT,
+    LONG_BIT,
+    TEXT,
+    VARIABLE_BIT,
+)
+from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD, TYPE_MEANINGS
+from ev3proto.text.phrases import argument_value, command_name, plain, short_text, status_name
+
+_TYPE = LENGTH_FIELD + COUNTER_SIZE
+_SIZE_BITS = 3
+
+
+class Part(NamedTuple):
+    """A field of a header.
+
+    name    `length`, `counter`, `type`, `memory`; of system commands also `command` and `status`
+    offset  of its first byte in the frame
+    length  the number of its bytes
+    text    its value, and what that means
+    """
+
+    name: str
+    offset: int
+    length: int
+    text: str
+
+
+def header_parts(message: Message) -> Iterator[Part]:
+    """Yields the fields of a message's header, as far as the frame has them."""
+    frame = message.build()
+    for part in _parts(message, frame):
+        if part.offset + part.length <= len(frame):
+            yield part
+
+
+def _parts(message: Message, frame: bytes) -> Iterator[Part]:
+    stated, right = int.from_bytes(frame[:LENGTH_FIELD], "little"), len(frame) - LENGTH_FIELD
+    wrong = "" if stated == right else f" according to it; in fact {right}"
+    yield Part("length", 0, LENGTH_FIELD, f"{counted(stated, 'byte')} after this field{wrong}")
+    yield Part("counter", LENGTH_FIELD, COUNTER_SIZE, f"{message.counter}; a reply has the counter of its command")
+    if message.type is None:
+        return
+    meaning = TYPE_MEANINGS[message.type]
+    yield Part("type", _TYPE, 1, f"0x{message.type:02X} {message.type.name}: {meaning}")
+    if isinstance(message, DirectCommand):
+        memory = f"{message.global_size} bytes global, for the reply; {message.local_size} bytes local, for its own use"
+        yield Part("memory", HEADER_SIZE, COMMAND_HEADER_SIZE - HEADER_SIZE, memory)
+    elif isinstance(message, SystemCommand | SystemReply):
+        yield Part("command", HEADER_SIZE, 1, f"0x{message.number:02X} {command_name(message)}")
+        if isinstance(message, SystemReply):
+            yield Part("status", HEADER_SIZE + 1, 1, f"{message.status_code} {status_name(message)}")
+
+
+def byte_lines(message: Message) -> list[str]:
+    """Returns a line for each byte of a message's frame."""
+    frame = message.build()
+    lines = [f"0x{byte:02X}, not part of what could be read" for byte in frame]
+    for offset, texts in _lines(message, frame):
+        # Of a frame that is cut, some bytes are not there.
+        for at, text in zip(range(offset, len(frame)), texts, strict=False):
+            lines[at] = f"0x{frame[at]:02X}{text}"
+    return [f"Byte {at}: {line}" for at, line in enumerate(lines)]
+
+
+def _lines(message: Message, frame: bytes) -> Iterator[tuple[int, list[str]]]:
+    """Yields offsets, and what the bytes from there say."""
+    if isinstance(message, DirectReply):
+        count = len(message.memory)
+        yield HEADER_SIZE, [f", byte {at} of global memory, which the command asked for" for at in range(count)]
+    for part in header_parts(message):
+        yield part.offset, [f", {_place(at, part.length)}{part.name}: {part.text}" for at in range(part.length)]
+    for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
+        yield from _operation(operation, frame)
+
+
+def _operation(operation: Operation, frame: bytes) -> Iterator[tuple[int, list[str]]]:
+    yield operation.offset, [f", opcode {operation.name}: {operation.declaration.opcode.text}"]
+    if operation.cmd is not None and operation.command is not None:
+        shown = f"CMD {operation.command}: {operation.declaration.text}"
+        yield operation.cmd.offset, _argument(operation.cmd, shown, frame)
+    for argument in operation.arguments:
+        yield argument.offset, _argument(argument, f"{argument.name} = {short_text(argument_value(argument))}", frame)
+
+
+def _argument(argument: Argument, shown: str, frame: bytes) -> list[str]:
+    """Returns a line for each byte of an argument."""
+    rest = argument.length - 1
+    lines = [f" = {identification(frame[argument.offset])}: {shown}"]
+    if argument.form.kind != TEXT:
+        return [*lines, *(f", {_place(at, rest)}{shown}" for at in range(rest))]
+    data = frame[argument.offset + 1 : argument.offset + argument.length]
+    return [*lines, *(f", {plain(chr(byte))} of {shown}" if byte else f", the end of {shown}" for byte in data)]
+
+
+def _place(at: int, count: int) -> str:
+    """Returns which byte of a number it is; the lowest comes first."""
+    return f"byte {at + 1} of {count} (lowest first) of " if count > 1 else ""
+
+
+def identification(byte: int) -> str:
+    """Returns the bits of an identification byte, and what they say: `1 0 0 0 0 010, long, constant, LC2`.
+
+    Args:
+        byte: The byte, 0 to 255.
+    """
+    encoding = ENCODINGS[byte]
+    if encoding is None:
+        return f"{byte:08b}, undefined as an identification byte"
+    is_variable = bool(byte & VARIABLE_BIT)
+    kind = "variable" if is_variable else "constant"
+    which = {(True, True): ", global", (True, False): ", local", (False, True): ", label"}
+    if not byte & LONG_BIT:
+        what = f", {'global' if byte & GLOBAL_BIT else 'local'}, index" if is_variable else ", value"
+        return f"{_bits(byte, 1, 1, 1, 5)}, short {kind}{what} in the byte itself ({encoding})"
+    marks = [word for bit, word in ((HANDLE_BIT, ", handle"), (ADDRESS_BIT, ", address")) if byte & bit]
+    size = "text up to a zero" if encoding.width is None else f"{counted(encoding.width, 'byte')} after it"
+    more = "".join([which.get((is_variable, bool(byte & GLOBAL_BIT)), ""), *marks, f", {size}"])
+    return f"{_bits(byte, 1, 1, 1, 1, 1, _SIZE_BITS)}, long {kind}{more} ({encoding})"
+
+
+def _bits(byte: int, *groups: int) -> str:
+    """Returns the bits of a byte in groups."""
+    digits = iter(f"{byte:08b}")
+    return " ".join("".join(next(digits) for _ in range(group)) for group in groups)

@@ -521,6 +521,15 @@ def test_the_lesson_draws_its_triangle(page: Page) -> None:
     assert not page.pixel(88, 60)
 
 
+def test_a_motor_of_the_core_set_turns(page: Page) -> None:
+    page.type("OUTPUT_STEP_SPEED(0, A, 50, 0, 360, 0, 1)")
+    page.click("send")
+    page.wait(lambda: re.search(r"3[56]\d°, 0 %B", page.text("motors")) is not None)
+    page.type("OUTPUT_STEP_SPEED(0, D, 50, 0, 360, 0, 1)")
+    page.click("send")
+    page.wait(lambda: page.text("waiting") == "a move on D does not end: no motor is plugged in there")
+
+
 def test_a_running_program_is_said_and_can_be_stopped(page: Page) -> None:
     page.browser.find_element(By.XPATH, "//button[text()='A program that blinks']").click()
     page.wait(lambda: "vmthread" in page.text("tree"))

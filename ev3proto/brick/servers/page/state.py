@@ -29,6 +29,9 @@ _MOST_TALKS = 25
 
 _MOTOR = CONN.members["CONN_OUTPUT_TACHO"]
 _NONE = TYPE.members["TYPE_NONE"]
+_NOT_SOLD = {TYPE.members[f"TYPE_{name}"] for name in ("NEWTACHO", "IIC_UNKNOWN", "NXT_TEST", "UNKNOWN")}
+"""Types that the firmware knows, and that no device has."""
+
 _NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
 
 
@@ -52,7 +55,7 @@ def _facts() -> dict[str, Any]:
             ],
         }
         for number, device in sorted(DEVICE_TYPES.items())
-        if number in _NAMES and number != TYPE.members["TYPE_UNKNOWN"]
+        if number in _NAMES and number not in _NOT_SOLD
     ]
     leds = {number: name for name, number in LEDPATTERN.members.items()}
     return {"types": types, "none": _NONE, "leds": leds, "deviations": DEVIATIONS}

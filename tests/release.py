@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[1]
 LEFT_OUT = {".ci/run", ".gitignore"}
 """Files of the repository that the source distribution does not need."""
 
-EXPORTED = {"ev3proto.h": "c-header", "ev3.ksy": "kaitai"}
+EXPORTED = {"ev3proto.h": "c-header", "ev3.ksy": "kaitai", "ev3.mjs": "javascript"}
 """The argument of `ev3proto export` that prints each file."""
 
 

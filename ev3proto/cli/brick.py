@@ -97,7 +97,7 @@ screenshot_option = click.option(
 @screenshot_option
 @fault_options
 @dialect_option
-@click.option("--quiet", is_flag=True, help="Do not list the equipment and the differences from a real brick.")
+@click.option("--quiet", is_flag=True, help="Do not mention the equipment and the differences from a real brick.")
 @click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit.")
 def brick(
     address: str,
@@ -179,9 +179,7 @@ def brick(
     if not quiet:
         if options.has_core_set:
             complain(CORE_SET_SENTENCE)
-        complain(f"This brick differs from a real one in {len(DEVIATIONS)} ways (--quiet hides this list):")
-        for sentence in DEVIATIONS:
-            complain(f"- {sentence}")
+        complain(f"this brick differs from a real one in {len(DEVIATIONS)} ways: ev3proto brick --help lists them")
     with folder(root) as place:
         reporter = asyncio.run(_serve(options, place))
     if reporter is None:

@@ -52,7 +52,9 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
         form = Form.of(output)
         if form is not Form.JSON:
             require_library()
-    except (ValueError, MissingLibraryError) as error:
+    except MissingLibraryError as error:
+        raise Failure(str(error)) from None
+    except ValueError as error:
         raise click.UsageError(str(error)) from None
     if first is not None and last is not None and first >= last:
         raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")

@@ -15,7 +15,7 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.options import FILE, incompatible
-from ev3proto.cli.output import complain, put, say, say_json
+from ev3proto.cli.output import Failure, complain, put, say, say_json
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
@@ -164,7 +164,9 @@ _PRINTERS = {"csv": _print_csv, "json": _print_json}
 def _draw(found: Series, path: Path, title: str, start_ns: int) -> None:
     try:
         data = draw(found, path.suffix, Path(title).name, start_ns)
-    except (ValueError, MissingLibraryError) as error:
+    except MissingLibraryError as error:
+        raise Failure(str(error)) from None
+    except ValueError as error:
         raise click.UsageError(str(error)) from None
     if not put(data, path):
         sys.exit(1)

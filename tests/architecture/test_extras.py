@@ -84,7 +84,7 @@ def test_in_an_environment_on_windows(tmp_path: Path, monkeypatch: pytest.Monkey
 )
 def test_a_missing_package_is_reported_with_the_command(missing: str, program: str, extra: str) -> None:
     done = run_program(sys.executable, "-c", f"import sys; sys.modules[{missing!r}] = None; {program}")
-    assert done.returncode != 0
+    assert done.returncode == 1
     assert f"which is not installed: {install_command(extra)}" in done.stderr.splitlines()[-1]
 
 

@@ -219,10 +219,12 @@ class ArgumentSchema:
         if (value != value and not parameter.unsigned) or value == limits.nan:
             return encode_as(_NAN_ENCODING.get(parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
-            raise BuildError(
-                f"{parameter.name} cannot be {value}: a {parameter.label} is a whole number from {limits.low} to"
-                f" {BITS[parameter.type][-1] if parameter.unsigned else limits.high}"
-            )
+            low, high = limits.low, BITS[parameter.type][-1] if parameter.unsigned else limits.high
+            said = f"a {parameter.label} is a whole number from {low} to {high}"
+            if parameter.range is not None:
+                unit = f" {parameter.unit}" if parameter.unit else ""
+                said = f"use {parameter.range[0]} to {parameter.range[1]}{unit}; {said}"
+            raise BuildError(f"{parameter.name} cannot be {value}: {said}")
         return encode_integer(int(value))
 
 

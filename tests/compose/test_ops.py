@@ -132,7 +132,7 @@ UNCHECKED = "; pass unchecked=True to allow it"
     [
         ("sound.tone", (101, 440, 1000), f"SOUND.TONE: VOLUME must be 0 to 100 %, not 101{UNCHECKED}"),
         ("sound.tone", (1, 249, 1000), f"SOUND.TONE: FREQUENCY must be 250 to 10000 Hz, not 249{UNCHECKED}"),
-        ("sound.tone", (1.5, 440, 1000), "VOLUME cannot be 1.5: a DATA8 is a whole number"),
+        ("sound.tone", (1.5, 440, 1000), "VOLUME cannot be 1.5: use 0 to 100 %; a DATA8 is a whole number"),
         ("sound.tone", (float("nan"), 440, 1000), f"SOUND.TONE: VOLUME must be 0 to 100 %, not nan{UNCHECKED}"),
         ("sound.tone", ("loud", 440, 1000), "VOLUME takes a number or a variable, not 'loud'"),
         ("input_device.ready_si", (0, 0, 0, 8), f"MODE must be 0 to 7 or -1 (keep the mode), not 8{UNCHECKED}"),

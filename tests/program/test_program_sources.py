@@ -275,6 +275,13 @@ def test_a_label_hides_a_constant_in_legos_dialect() -> None:
 
 
 @pytest.mark.parametrize("dialect", BOTH)
+def test_a_cmd_behind_a_dot(dialect: str) -> None:
+    """As ev3proto prints operations."""
+    written = _code("UI_WRITE.LED(LED_RED)", dialect=dialect)
+    assert written == _code("UI_WRITE(LED, LED_RED)", dialect=dialect)
+
+
+@pytest.mark.parametrize("dialect", BOTH)
 def test_an_unknown_name_is_an_error_with_a_suggestion(dialect: str) -> None:
     with pytest.raises(AssemblyError, match=r"line 4, column \d+: unknown name LED_RAD: did you mean LED_RED"):
         _code("UI_WRITE(LED, LED_RAD)", dialect=dialect)

@@ -276,7 +276,12 @@ ERRORS = [
     ("SOUND(TONE 1)", 1, 12, "expected , or ), found 1"),
     ("opSOUND LC0(TONE)", 1, 9, "expected a comma, found LC0"),
     ("SOUND(TONE,1,440,", 1, 18, "expected a value, found the end of the text"),
-    ("SOUND(TONE,1,99999,1)", 1, 14, "FREQUENCY cannot be 99999: a DATA16 is a whole number from -32767 to 32767"),
+    (
+        "SOUND(TONE,1,99999,1)",
+        1,
+        14,
+        "FREQUENCY cannot be 99999: use 250 to 10000 Hz; a DATA16 is a whole number from -32767 to 32767",
+    ),
     ("SOUND(TONE,'abc',440,1)", 1, 12, "VOLUME takes a number or a variable, not 'abc'"),
     ("SOUND(TONE,VOLUM=1,FREQUENCY=2,DURATION=3)", 1, 12, "SOUND.TONE has no parameter VOLUM: did you mean VOLUME?"),
     ("opSOUND, LC0(TONE), LC0(32), LC0(1), LC0(1)", 1, 21, "LC0 cannot hold 32: it is limited to -32 to 31"),

@@ -171,7 +171,9 @@ def test_the_shortest_encoding_is_a_value_and_others_are_bytes() -> None:
 
 
 def test_mistakes_are_found_at_the_call() -> None:
-    with pytest.raises(BuildError, match="VOLUME cannot be 1000: a DATA8 is a whole number from -127 to 127"):
+    with pytest.raises(
+        BuildError, match="VOLUME cannot be 1000: use 0 to 100 %; a DATA8 is a whole number from -127 to 127"
+    ):
         ev3.SOUND_TONE(VOLUME=1000)
     with pytest.raises(
         BuildError, match="PATTERN takes a name of LEDPATTERN or a number or a variable, not 'LED_BLUE'"

@@ -56,6 +56,7 @@ from ev3proto.text.assembly.syntax import (
     Statement,
     Unchecked,
     Value,
+    WrittenArgument,
 )
 from ev3proto.text.assembly.values import Encoder, Piece, encoded_parts, integer, part_sizes
 
@@ -364,7 +365,7 @@ class ProgramAssembler:
     def _statement(self, one: _Object, statement: Statement) -> None:
         match statement:
             case Call():
-                self._operation(statement, one)
+                self._operation(_with_cmd(statement), one)
             case Label(at, name):
                 if name in firmware_names() and not self._notation.folds:
                     is_hiding = self._notation.last_counts
@@ -503,6 +504,15 @@ class ProgramAssembler:
                     if isinstance(first, Name):
                         triggering.setdefault(first.text, set()).add(number)
         return {name: numbers.pop() if len(numbers) == 1 else 1 for name, numbers in triggering.items()}
+
+
+def _with_cmd(call: Call) -> Call:
+    """Returns a call with the CMD as its first argument: `UI_WRITE.LED(...)` is how ev3proto prints it."""
+    family, dot, command = call.name.partition(".")
+    if not dot or family not in _OPCODES:
+        return call
+    cmd = WrittenArgument(None, Name(call.at, command))
+    return call._replace(name=family, arguments=(cmd, *call.arguments))
 
 
 def _parameters_of(call: Call) -> tuple[Parameter, ...]:

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from support.built import built_export
 from support.effort import effort
 from support.frames import drawn
 
@@ -22,7 +23,6 @@ from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM, SystemStatus
 from ev3proto.testing import raw_operations
 
-HEADER = Path(__file__).parents[2] / "exports" / "ev3proto.h"
 GCC = ["gcc", "-std=c99", "-x", "c"]
 GXX = ["g++", "-std=c++11", "-x", "c++"]
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wpadded", "-Werror"]
@@ -30,7 +30,7 @@ WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wsign-conversion"
 
 def run(program: str, folder: Path, compiler: list[str]) -> list[str]:
     """The lines that a program prints."""
-    (folder / "ev3proto.h").symlink_to(HEADER)
+    (folder / "ev3proto.h").symlink_to(built_export("ev3proto.h"))
     (folder / "program.c").write_text(program)
     binary = folder / "program"
     words = [*compiler, *WARNINGS, str(folder / "program.c"), "-o", str(binary), "-lm"]
@@ -106,7 +106,10 @@ def test_a_small_buffer_for_a_small_processor(tmp_path: Path, compiler: list[str
 
 def test_enumerators_fit_into_16_bits() -> None:
     """As an int has them where the processor has 8; compilers warn of others."""
-    numbers = [int(number, 0) for number in re.findall(r"^    \w+ = (-?\w+),", HEADER.read_text(), re.MULTILINE)]
+    numbers = [
+        int(number, 0)
+        for number in re.findall(r"^    \w+ = (-?\w+),", built_export("ev3proto.h").read_text(), re.MULTILINE)
+    ]
     assert len(numbers) > 800
     assert [number for number in numbers if not -32768 <= number <= 32767] == []
 
@@ -287,7 +290,7 @@ def test_every_standard(tmp_path: Path, standard: str) -> None:
 
 
 def test_the_form_of_the_file() -> None:
-    text = HEADER.read_text()
+    text = built_export("ev3proto.h").read_text()
     assert text.isascii()
     lines = text.split("\n")
     assert [one for one in lines if len(one) > 120 or one != one.rstrip() or "\t" in one] == []

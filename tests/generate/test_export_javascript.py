@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import subprocess
-from pathlib import Path
 from typing import Any
 
 import pytest
+from support.built import built_export
 from support.effort import effort
 from support.frames import drawn
 
@@ -16,8 +16,6 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Type, declarations
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.testing import operations
-
-EXPORTS = Path(__file__).parents[2] / "exports"
 
 EACH = """\
 import { readFileSync } from "node:fs";
@@ -37,7 +35,7 @@ console.log(JSON.stringify(made));
 
 def evaluated(sources: list[str]) -> list[str]:
     """What each expression gives in Node: bytes in hex, or an error."""
-    program = EACH.replace("MODULE", (EXPORTS / "ev3.mjs").as_uri())
+    program = EACH.replace("MODULE", built_export("ev3.mjs").as_uri())
     words = ["node", "--input-type=module", "--eval", program]
     done = subprocess.run(words, input=json.dumps(sources), capture_output=True, text=True, timeout=60, check=False)
     assert (done.returncode, done.stderr) == (0, "")
@@ -124,7 +122,7 @@ def test_what_cannot_be_encoded_is_refused_by_name() -> None:
 
 
 def test_every_number_has_its_name() -> None:
-    program = f"import * as ev3 from '{(EXPORTS / 'ev3.mjs').as_uri()}'; console.log(JSON.stringify(ev3))"
+    program = f"import * as ev3 from '{built_export('ev3.mjs').as_uri()}'; console.log(JSON.stringify(ev3))"
     words = ["node", "--input-type=module", "--eval", program]
     known = json.loads(subprocess.run(words, capture_output=True, text=True, timeout=60, check=True).stdout)
     assert known["Opcode"] == {opcode.name: opcode.number for opcode in OPCODES}

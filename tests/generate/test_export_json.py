@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import copy
 import json
-from pathlib import Path
 from typing import Any
 
 import jsonschema  # type: ignore[import-untyped]
 import pytest
+from support.built import built_export
 
 from ev3proto.schema.wire_format import ENCODED
 from ev3proto.tables import AREAS, OPCODES, enumerations
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.system import SYSTEM
 
-EXPORTS = Path(__file__).parents[2] / "exports"
-TEXTS = [(EXPORTS / f"ev3-tables.{name}").read_text() for name in ("json", "schema.json")]
+TEXTS = [built_export(f"ev3-tables.{name}").read_text() for name in ("json", "schema.json")]
 TABLES: dict[str, Any]
 SCHEMA: dict[str, Any]
 TABLES, SCHEMA = map(json.loads, TEXTS)

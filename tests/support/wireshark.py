@@ -26,8 +26,10 @@ from typing import Any, Literal, Self
 import pyshark
 import pyshark.ek_field_mapping
 
+from support.built import built_dissector
+
 SETTING = "EV3PROTO_TSHARK"
-DISSECTOR = Path(__file__).parents[2] / "dissector" / "ev3.lua"
+DISSECTOR = built_dissector()
 
 # A capture without packets, and a script that prints the version of Lua.
 _EMPTY = bytes.fromhex("d4c3b2a1 0200 0400 00000000 00000000 00000400 01000000")

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator  # type: ignore[import-untyped]
+from support.built import built_export
 from support.cli import run_ev3proto_text as run
 from support.effort import effort
 from support.frames import drawn
@@ -16,7 +17,7 @@ from support.frames import drawn
 from ev3proto.testing import frames, mutated_frames
 
 ROOT = Path(__file__).parents[2]
-SCHEMA = json.loads((ROOT / "exports" / "ev3-output.schema.json").read_text(encoding="utf-8"))
+SCHEMA = json.loads(built_export("ev3-output.schema.json").read_text(encoding="utf-8"))
 CAPTURES = sorted(
     path.relative_to(ROOT).as_posix()
     for path in (ROOT / "captures").iterdir()

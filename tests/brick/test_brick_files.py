@@ -58,6 +58,22 @@ def test_a_file_goes_to_the_brick_and_back(brick: Brick, projects: Path) -> None
     assert answer(brick, system.continue_upload(0, 10)) == (ERROR, bytes((1, 0xFF)))
 
 
+def test_pieces_fill_a_frame_and_no_more(brick: Brick, projects: Path) -> None:
+    """A reply with the size of the file has four bytes less of it: the first ones, and all of GETFILE's."""
+    projects.mkdir(exist_ok=True)
+    data = bytes(range(251)) * 12
+    (projects / "data.rtf").write_bytes(data)
+    path = "/home/root/lms2012/prjs/data.rtf"
+    (first,) = brick.receive(system.begin_upload(path, 2000).build())
+    (second,) = brick.receive(system.continue_upload(first[11], 2000).build())
+    assert (len(first), len(second)) == (1024, 1024)
+    assert (first[12:], second[8:]) == (data[:1012], data[1012:2028])
+    (first,) = brick.receive(system.begin_getfile(path, 2000).build())
+    (second,) = brick.receive(system.continue_getfile(first[11], 2000).build())
+    assert (len(first), len(second)) == (1024, 1024)
+    assert (first[12:], second[12:]) == (data[:1012], data[1012:2024])
+
+
 def test_all_of_a_file_in_the_first_frame(brick: Brick, projects: Path) -> None:
     frame = bytearray(system.begin_download("../prjs/a.rtf", 3).build() + b"abcdef")
     frame[:2] = (len(frame) - 2).to_bytes(2, "little")

@@ -392,3 +392,17 @@ def test_the_number_of_an_error_has_ten_elements_of_an_array(brick: Brick) -> No
         op("STRINGS.DUPLICATE", LV(0, handle=True), GV(4)),
     )
     assert run(brick, *code, globals=14, locals=2) == (OK, bytes((10, 0, 0, 0)) + b"Number 12\0")
+
+
+def test_the_rest_of_a_long_text_is_cut_at_1023_characters(brick: Brick) -> None:
+    """Before the text that was sought is taken off."""
+    code = (
+        op("ARRAY.CREATE8", 1200, LV(0)),
+        op("ARRAY.FILL", LV(0), ord("x")),
+        op("ARRAY_WRITE", LV(0), 1199, 0),
+        op("ARRAY.CREATE8", 1, LV(4)),
+        op("STRINGS.SUB", LV(0, handle=True), "xx", LV(4, handle=True)),
+        op("STRINGS.GET_SIZE", LV(4, handle=True), GV(0)),
+    )
+    kind, memory = run(brick, *code, globals=2, locals=8)
+    assert (kind, int.from_bytes(memory, "little")) == (OK, 1021)

@@ -426,6 +426,31 @@ def test_memory_that_nothing_uses() -> None:
     assert codes(asking(unknown, global_size=50)) == []
 
 
+@pytest.mark.parametrize(
+    ("used", "requested", "help_text"),
+    [
+        (1, 4, None),  # rounded up to the largest number
+        (5, 8, None),
+        (4, 5, "request 4"),
+        (4, 7, "request 4"),
+        (4, 8, "request 4"),  # a whole number more
+        (8, 8, None),
+        (0, 4, "request none"),
+    ],
+)
+def test_memory_may_be_rounded_up_to_whole_numbers(used: int, requested: int, help_text: str | None) -> None:
+    outputs = [operation("UI_READ.GET_LBATT", GV(used - 1))] if used else [operation("NOP")]
+    found = check(asking(*outputs, global_size=requested)).findings
+    about = [finding.help for finding in found if finding.code == "H401"]
+    assert about == ([] if help_text is None else [help_text.replace("none", "0")])
+
+
+def test_a_label_in_a_variable_needs_no_alignment() -> None:
+    assert codes(command(operation("LABEL", LV(1)), local_size=5)) == codes(
+        command(operation("LABEL", LV(4)), local_size=8)
+    )
+
+
 # 5: texts and arrays
 
 

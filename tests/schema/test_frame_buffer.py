@@ -219,3 +219,22 @@ def test_a_client_knows_what_is_missing() -> None:
     assert (stream.missing, stream.pending) == (4, REPLY[:1])
     stream.feed(REPLY[1:6])
     assert stream.missing == 3
+
+
+# The policy of a capture: a frame that was searched for is judged, and so is the next one
+
+
+def cut(*packets: str) -> list[str]:
+    cutter = Cutter(frame_reader("official"), in_step=False)
+    parts = [part for number, data in enumerate(packets) for part in cutter.feed(bytes.fromhex(data), number)]
+    return [f"{part.kind.name} {part.data.hex()}" for part in parts]
+
+
+def test_after_a_reply_that_nothing_follows_the_next_frame_is_judged_too() -> None:
+    """A reply may be anything, so it proves less than a command."""
+    junk = "0600 0100 80 0000 FE" + "FFFF" * 4
+    found = cut("FF" * 3 + REPLY.hex(), junk)
+    assert found[:2] == ["LOST ffffff", f"FRAME {REPLY.hex()}"]
+    assert not any(part.startswith("FRAME 0600") for part in found)
+    found = cut("FF" * 3 + TONE.hex(), junk)
+    assert found[:3] == ["LOST ffffff", f"FRAME {TONE.hex()}", "FRAME 06000100800000fe"]

@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from hypothesis import strategies as st
+from support.boundaries import boundaries
 from support.dissected import Follower, Frame, difference, is_message, packets, shown, unshown
 from support.effort import THOROUGH, effort
 from support.frames import Segment, drawn, tcp_capture
@@ -391,6 +392,33 @@ def test_every_operation(tshark: Tshark, dialect: str) -> None:
         it.full_name for message in found if isinstance(message, DirectCommand) for it in message.operations
     } == set(names_of(dialect))
     agree(tshark, dialect, frames_of_all)
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_boundaries(tshark: Tshark, dialect: str) -> None:
+    """Of every kind of parameter; `tests/schema/test_boundaries.py` holds the other readers to what is expected."""
+    cases = [case for case in boundaries() if case.raw is not None and case.dialect == dialect]
+    if cases:
+        agree(tshark, dialect, [case.frame for case in cases])
+
+
+OF_VALUES = {"E204", "E206", "E301", "E302", "E303", "E304", "E305", "W301", "W302", "W303", "W304", "H702"}
+"""The checker's codes for constants that the brick refuses, reads otherwise, or knows no meaning of."""
+
+
+def test_boundaries_that_the_brick_reads_otherwise(tshark: Tshark) -> None:
+    """The dissector marks what the checker finds, which `tests/schema/test_boundaries.py` holds to the tables."""
+    cases = [case for case in boundaries() if case.legal is not None and case.raw is not None]
+    cases = [case for case in cases if case.dialect == "official"]
+    capture = tshark.place(tcp_capture([Segment(True, TONE), *(Segment(True, case.frame) for case in cases)]), "b.pcap")
+    marked = "ev3.expert.misread || ev3.expert.refused"
+    numbers = set(tshark.matches(capture, [marked])[marked])
+    wrong = []
+    for number, case in enumerate(cases, 2):
+        expected = any(finding.code in OF_VALUES for finding in ev3proto.check(case.frame, alone=True).findings)
+        if (number in numbers) is not expected:
+            wrong.append(f"{case.name}: {'' if number in numbers else 'not '}marked")
+    assert not wrong, "; ".join(wrong)
 
 
 @pytest.mark.parametrize("dialect", DIALECTS)

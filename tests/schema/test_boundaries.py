@@ -70,7 +70,7 @@ def test_the_reader_misses_each_last_byte(case: Boundary) -> None:
     """A string that ends only behind the byte code, a number that is cut, an element that is missing."""
     code = case.code
     operations, fault = instruction_set(case.dialect).scan(code, 0, len(code) - 1)
-    is_counted = case.parameter.is_list and case.read > 127  # a cut list of so many elements has an impossible count
+    is_counted = case.parameter.is_list and case.read > 127  # a cut list of that length has an impossible count
     assert (fault is not None and (fault.truncated or is_counted)) or (len(code) == 1 and operations == [])
     assert all(not operation.is_complete for operation in operations)
 

@@ -136,7 +136,7 @@ class Record:
     packet      the packet in which it is complete
     size        its number of bytes
     fields      those of system and daisy messages, the memory of replies, unread bytes, padding
-    complaints  faults, refusals, missing partners; not those of single variables
+    complaints  faults, refusals, missing partners; not those of single arguments
     """
 
     packet: int
@@ -253,7 +253,7 @@ GENERATED = (
     *("ev3.brick", "ev3.request_in", "ev3.response_in"),
     *("ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size"),
 )
-ABOUT_VARIABLES = ("misaligned", "beyond_memory")
+ABOUT_ARGUMENTS = ("misaligned", "beyond_memory", "refused", "misread")
 FAULTS = ("fault", "unknown_opcode", "unknown_cmd", "cut_off", "no_boundary")
 
 
@@ -282,7 +282,7 @@ class _Reading:
         complaints = {
             "fault" if kind in FAULTS else kind
             for item in self.layer.walk()
-            if item.name.startswith("ev3.expert.") and (kind := item.name[11:]) not in ABOUT_VARIABLES
+            if item.name.startswith("ev3.expert.") and (kind := item.name[11:]) not in ABOUT_ARGUMENTS
         }
         return Record(
             operations=tuple(self.operations),

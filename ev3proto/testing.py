@@ -20,7 +20,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.checking.checking import check
 from ev3proto.compose import Draft, Global, Label, Local, command
@@ -50,6 +50,7 @@ from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import (
+    BITS,
     CONSTANT,
     GLOBAL,
     IDENTIFICATIONS,
@@ -110,11 +111,14 @@ def __dir__() -> list[str]:
     return __all__
 
 
+T = TypeVar("T")
+
 PlainValue = int | float | str | Variable
 OperationValue = PlainValue | list[PlainValue]
 """A value that `ev3proto.operation` takes for one parameter."""
 
 MOST_ELEMENTS = 6
+LONG_LISTS = (31, 32, 127)
 MOST_OPERATIONS = 6
 MOST_TEXT = 12
 """Enough for every case, few enough to be quick and to shrink to something readable."""
@@ -140,12 +144,17 @@ _EDGES = (-0x8000, -0x7FFF, -129, -128, -127, -33, -32, -1, 0, 31, 32, 127, 128,
 
 @cache
 def _numbers(parameter: Parameter) -> SearchStrategy[int]:
-    """Returns the numbers of a parameter's type, including its "not a number"."""
+    """Returns the numbers of a parameter's type: also "not a number", and all bits of one that is read unsigned."""
     limits = limits_of(parameter)
     assert limits is not None
     edges = [number for number in (*_EDGES, limits.low, limits.high) if limits.low <= number <= limits.high]
-    special = [] if parameter.counts else [limits.nan]
-    return st.integers(limits.low, limits.high) | st.sampled_from(edges + special)
+    if not parameter.counts:
+        edges.append(limits.nan)
+    numbers = st.integers(limits.low, limits.high) | st.sampled_from(edges)
+    if parameter.unsigned:
+        beyond = range(limits.high + 1, BITS[parameter.type].stop)
+        numbers |= st.sampled_from((beyond[0], beyond[-1])) | st.sampled_from(beyond)
+    return numbers
 
 
 @cache
@@ -176,7 +185,7 @@ def values_for(parameter: Parameter) -> SearchStrategy[OperationValue]:
     get variables; lists get a list of these (whole numbers and variables if another argument gives the type).
     """
     if parameter.is_list:
-        return st.lists(_plain_values(parameter.listed), max_size=MOST_ELEMENTS)
+        return _lists(_plain_values(parameter.listed))
     return _plain_values(parameter)
 
 
@@ -196,9 +205,12 @@ def _teller(declaration: Declaration) -> str | None:
     return None if declaration.tail is None else declaration.tail.typed_by
 
 
-def _most(element: Parameter) -> int:
-    """Returns the maximum length of a list: 1 for strings, since a mailbox's message is a single text."""
-    return 1 if element.type is Type.STRING else MOST_ELEMENTS
+def _lists(elements: SearchStrategy[T], *, is_text: bool = False) -> SearchStrategy[list[T]]:
+    """Returns short lists, and now and then a long one, up to the longest; at most one text, as a mailbox has."""
+    if is_text:
+        return st.lists(elements, max_size=1)
+    long = st.builds(lambda element, count: [element] * count, elements, st.sampled_from(LONG_LISTS))
+    return st.integers(0, 9).flatmap(lambda draw: long if draw == 9 else st.lists(elements, max_size=MOST_ELEMENTS))
 
 
 Names = str | tuple[str, ...] | None
@@ -220,7 +232,7 @@ def _values(draw: DrawFn, declaration: Declaration, plain: Callable[[Parameter],
     for parameter in declaration.parameters:
         if parameter.is_list:
             element = _element_of(parameter, announced)
-            elements = draw(st.lists(plain(element), max_size=_most(element)))
+            elements = draw(_lists(plain(element), is_text=element.type is Type.STRING))
             if not parameter.counts:
                 values[-1] = len(elements)
             values.append(elements)
@@ -338,7 +350,7 @@ def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
     for parameter in declaration.parameters:
         if parameter.is_list:
             element = _element_of(parameter, announced)
-            elements = draw(st.lists(encoded_arguments(element), max_size=_most(element)))
+            elements = draw(_lists(encoded_arguments(element), is_text=element.type is Type.STRING))
             count = draw(_forms(CONSTANT, len(elements), signed=True, plain=True))
             if not parameter.counts:
                 pieces[-1] = count

@@ -56,7 +56,7 @@ _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 _SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
 _MOST_TRIED = 6000  # edits
 _MOST_JUDGED = 14  # candidates that `check` judges in a round
-_MOST_CHECKED = 12_000  # bytes of all candidates that `check` judges
+_MOST_CHECKED = 9_000  # bytes of all candidates that `check` judges
 _MOST_OPERATIONS = 8  # operations in which edits are tried, around the first suspicious one
 _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 
@@ -258,7 +258,7 @@ class _Search:
             if before is None:
                 yield from self._with_other_memory(frame)
             yield from self._with_code(frame, before)
-        elif frame[TYPE_AT] in SYSTEM:
+        elif frame[TYPE_AT] in SYSTEM and before is None:
             for edit in system_edits(frame):
                 new, price = self._applied(frame, edit)
                 yield _Candidate((edit,), price, 0.0, new)

@@ -129,7 +129,7 @@ def test_the_search_stays_within_its_bounds(frame: bytes) -> None:
     report = ev3proto.check(frame, alone=True)
     with patch.object(search, "check", counted):
         search.nearest.__wrapped__(report)
-    assert sum(checked) <= 12_000 + 2 * 1100
+    assert sum(checked) <= 9_000 + 2 * 1100
 
 
 @pytest.mark.parametrize(

@@ -121,11 +121,11 @@ def test_bytes_are_removed_in_place(before: str, after: str) -> None:
 
 
 def test_bytes_that_look_moved_are_edited_in_place() -> None:
-    # The type and both bytes of memory change: 80 00 00 becomes 00 04 00.
+    # Both bytes of memory change: 00 00 04 becomes 00 04 00.
     assert (
-        ev3proto.fix_text("# mine\n09 00 2A 00 80 00 00 81 01 60\n").text == "# mine\n08 00 2A 00 00 04 00 81 01 60\n"
+        ev3proto.fix_text("# mine\n08 00 2A 00 00 00 04 81 01 60\n").text == "# mine\n08 00 2A 00 00 04 00 81 01 60\n"
     )
-    assert ev3proto.fix_text("09:00|2A:00|80|00:00|81|01|60|").text == "08:00|2A:00|00|04:00|81|01|60|"
+    assert ev3proto.fix_text("08:00|2A:00|00|00:04|81|01|60|").text == "08:00|2A:00|00|04:00|81|01|60|"
 
 
 def test_rows_of_a_dump_keep_their_size() -> None:

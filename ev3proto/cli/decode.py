@@ -16,7 +16,7 @@ from ev3proto.cli.reading import reading_options
 from ev3proto.cli.recorded import Dialogues, matching, show_announcement, show_record
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.cli.words import named
-from ev3proto.reading.faults import fault_of
+from ev3proto.reading.faults import Faults
 from ev3proto.reading.items import Event, Image, Source
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
@@ -35,6 +35,7 @@ class _Decoding:
         self._show = show
         self._reading = reading
         self._dialect = reading.options.dialect
+        self._faults = Faults(self._dialect)
         self.problems = Problems()
 
     def messages(self) -> None:
@@ -105,7 +106,7 @@ class _Decoding:
             self.problems.wrong(f"{label}: fault at {fault}")
 
     def _complain_of(self, record: Record, *, is_text: bool = False) -> None:
-        fault = fault_of(record, dialect=self._dialect, is_text=is_text)
+        fault = self._faults.of(record, is_text=is_text)
         if fault is not None:
             self.problems.show(fault)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ev3proto.capture.record import Record
 from ev3proto.checking.report import Severity, Suggestion
 from ev3proto.messages import DirectCommand, Message, Operation
@@ -11,32 +13,45 @@ from ev3proto.tables.declaration import Effect
 from ev3proto.text.phrases import command_spans
 from ev3proto.text.spans import plain_text
 
-
-def fault_of(record: Record, *, dialect: str = "official", is_text: bool = True) -> Problem | None:
-    """Returns what is wrong with a frame, unless it was cut off: of the bytes in a text, also what was meant."""
-    message, place = record.message, record.place
-    if message.fault is not None and not record.is_cut:
-        meant = [f"; did you mean: {one.message}?" for one in _meant(message, dialect)] if is_text else []
-        return Problem(place, Code.FAULT, f"fault at {message.fault}{''.join(meant)}")
-    if not is_text:
-        return None
-    if record.is_from_brick and record.seen.direction is None:
-        # A command without its counter is a reply by its type.
-        for one in _meant(message, dialect):
-            content = plain_text(command_spans(parse(one.frame, strict=False, dialect=dialect)))
-            return Problem(place, Code.FAULT, f"did you mean {content}? {one.message}", Severity.HINT)
-    never = _never_run(message)
-    if never is None:
-        return None
-    said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
-    return Problem(place, Code.FAULT, f"{said}; `ev3proto check` says more")
+if TYPE_CHECKING:
+    from ev3proto.checking.nearest import Suggestions
 
 
-def _meant(message: Message, dialect: str) -> tuple[Suggestion, ...]:
-    """Returns what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""
-    from ev3proto.checking.checking import check  # takes 15 ms, which right frames do not need
+class Faults:
+    """What is wrong with the frames of one run; what was meant is looked for in at most 100 different ones."""
 
-    return check(message, dialect=dialect, alone=True).nearest
+    def __init__(self, dialect: str = "official") -> None:
+        self._dialect = dialect
+        self._suggestions: Suggestions | None = None
+
+    def of(self, record: Record, *, is_text: bool = True) -> Problem | None:
+        """Returns what is wrong with a frame, unless it was cut off: of the bytes in a text, also what was meant."""
+        message, place = record.message, record.place
+        if message.fault is not None and not record.is_cut:
+            meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
+            return Problem(place, Code.FAULT, f"fault at {message.fault}{''.join(meant)}")
+        if not is_text:
+            return None
+        if record.is_from_brick and record.seen.direction is None:
+            # A command without its counter is a reply by its type.
+            for one in self._meant(message):
+                content = plain_text(command_spans(parse(one.frame, strict=False, dialect=self._dialect)))
+                return Problem(place, Code.FAULT, f"did you mean {content}? {one.message}", Severity.HINT)
+        never = _never_run(message)
+        if never is None:
+            return None
+        said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
+        return Problem(place, Code.FAULT, f"{said}; `ev3proto check` says more")
+
+    def _meant(self, message: Message) -> tuple[Suggestion, ...]:
+        """Returns what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""
+        # These take 15 ms, which right frames do not need.
+        from ev3proto.checking.checking import check
+        from ev3proto.checking.nearest import Suggestions
+
+        if self._suggestions is None:
+            self._suggestions = Suggestions()
+        return self._suggestions.of(check(message, dialect=self._dialect, alone=True))
 
 
 def _never_run(message: Message) -> Operation | None:

@@ -60,7 +60,7 @@ class Code(StrEnum):
     NOTE = "note"  # a remark on how a piece of a text was read
     SKIPPED = "skipped"  # bytes among the frames of a capture
     MEMORY = "memory"  # messages that were dropped at the memory limit
-    FAULT = "fault"  # a frame with a fault, as `fault_of` says it; reading yields the record alone
+    FAULT = "fault"  # a frame with a fault, as `Faults` says it; reading yields the record alone
     SOURCE = "source"  # an error or a warning in assembly, in a program's source, or in JSON
 
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 from hypothesis import given, settings
 from support.cases import each
-from support.cli import ROOT
 from support.effort import effort
+from support.sent import sent_in
 
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
-from ev3proto.capture.record import Direction
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.link.known import ASSUMED, NOTHING, Known
 from ev3proto.messages import Message, SystemCommand
@@ -136,12 +133,6 @@ def test_reading_wants_a_reply(reading: Operation) -> None:
     frame = bytearray(command(reading))
     frame[4] = 0x80
     assert harms(bytes(frame)) == COMPUTING
-
-
-def sent_in(name: str) -> Iterator[Message]:
-    for record in ev3proto.read(ROOT / "captures" / name):
-        if isinstance(record, ev3proto.Record) and record.direction is not Direction.RECEIVED:
-            yield record.message
 
 
 READERS = {

@@ -13,12 +13,15 @@ import pytest
 from support.cases import each
 from support.cli import ROOT, run_ev3proto_text
 from support.relays import Relay, relay
+from support.sent import sent_in
 from support.server import Client, Served, served, system, until
 from support.stub_brick import reply, stub_brick
 
 import ev3proto
 from ev3proto import GV, LV, Operation, operation
 from ev3proto.brick.servers.server import Options
+from ev3proto.link.harm import harms_of
+from ev3proto.link.known import ASSUMED
 
 BEGIN_DOWNLOAD, BEGIN_UPLOAD, CONTINUE_UPLOAD, CLOSE, LIST, CONTINUE_LIST = 0x92, 0x94, 0x95, 0x98, 0x99, 0x9A
 BATTERY = ev3proto.command(operation("UI_READ.GET_LBATT", GV(0)), counter=0x777).build()
@@ -328,3 +331,26 @@ def test_replay_uses_the_handles_of_this_brick(tmp_path: Path) -> None:
         assert len(sent) == 3
         assert all(line.startswith("omitted") for line in sent)
         assert other.ask(system(CONTINUE_UPLOAD, b"\0\x0a\0"))[6] == 0
+
+
+# What people use it for
+
+
+def test_what_reads_in_captures_of_clients_passes(tmp_path: Path) -> None:
+    devices = {1: 16, 3: 33, "A": 7, "B": 7, "C": 8, "D": 7}
+    with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client:
+        for port, number in devices.items():
+            brick.now.brick.plug(port, number)
+        for name in ("ev3_dc.pcap", "real-bricks.log", "wifi.pcapng", "usb.pcapng"):
+            # Port 2 had the colour sensor, or the gyro sensor of the bricks that pcapng files are from.
+            brick.now.brick.plug(2, 32 if name.endswith("pcapng") else 29)
+            begun = {0: "LIST_FILES" if name.endswith("log") else "BEGIN_UPLOAD"}
+            reading = [one for one in sent_in(name) if not harms_of(one, known=ASSUMED, handles=begun)]
+            assert len(reading) >= 5
+            for message in reading:
+                client.ask(message.build())
+    assert set(found.said) <= {
+        # Files that the brick of the recording had.
+        "blocked by --read-only: CONTINUE_UPLOAD names a handle that this client has not opened",
+        "blocked by --read-only: CONTINUE_LIST_FILES names a handle that this client has not opened",
+    }

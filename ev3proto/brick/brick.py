@@ -11,7 +11,7 @@ import math
 import re
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
@@ -44,6 +44,7 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
+from ev3proto.brick.steps import Steps, finish
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.errors import as_bytes
@@ -78,6 +79,10 @@ _MOST_SECONDS = 10**12
 """The longest step of the clock, 31,700 years: infinity would never end."""
 
 
+def _no_steps() -> Steps[None]:
+    yield
+
+
 class Addressed(NamedTuple):
     """A waiting frame or a reply, with its connection."""
 
@@ -93,7 +98,7 @@ class Brick:
     stretch  CPU seconds of this computer after which a call returns even if a direct command is still running; the
              next call continues it. None: a call returns when the command ends or waits
 
-    `is_computing`: a direct command is ready to continue. `has_ended_command`: a limit has ended a direct command.
+    `has_ended_command`: a limit has ended a direct command.
     """
 
     def __init__(
@@ -103,14 +108,16 @@ class Brick:
             raise ValueError(f"stretch must be seconds, 0 or more, or None, not {stretch!r}")
         self.equipment = Equipment(root, check_dialect(dialect), self.stop)
         self._has_core_set = False
-        self.is_computing = False
         self.has_ended_command = False
+        self._is_computing = False
         self.machine = Machine(self.equipment, dispatch_table(self.equipment.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Addressed] = deque()
         self._waiting_bytes = 0
         self._replies: list[Addressed] = []
         self._command: _Command | None = None
+        self._long: deque[_Command] = deque()
+        self._has_worked = False
         self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
         self._system = SystemCommands(self.equipment, self.machine)
@@ -206,7 +213,7 @@ class Brick:
         """
         project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
         self.equipment.files.make_folder(project.rstrip("/").encode())
-        if not self.machine.start_program(slot, Image(image, project)):
+        if not finish(self.machine.start_program(slot, Image(image, project))):
             return None
         return self.machine.program_in(slot)
 
@@ -254,7 +261,7 @@ class Brick:
             self._waiting.append(Addressed(channel, frame))
             self._waiting_bytes += len(frame)
         if self._command is None:
-            self._deadline = thread_time() + self._stretch
+            self._begin_stretch()
             self._serve()
         return self._take()
 
@@ -263,7 +270,7 @@ class Brick:
         if not 0 <= seconds <= _MOST_SECONDS:
             raise ValueError(f"seconds are a number from 0 to {_MOST_SECONDS}, not {seconds!r}")
         target = self.microseconds + round(seconds * 1_000_000)
-        self._deadline = thread_time() + self._stretch
+        self._begin_stretch()
         is_first = True
         while self.microseconds < target:
             # Whole ticks while anything runs, so that results do not depend on the size of the steps.
@@ -289,11 +296,21 @@ class Brick:
     @property
     def waits_for(self) -> str:
         """What the direct command in progress waits for in vain, such as a motor that is not plugged in, in words."""
-        return "" if self._command is None else self._command.program.waits_for
+        program = None if self._command is None else self._command.program
+        return "" if program is None else program.waits_for
+
+    @property
+    def is_computing(self) -> bool:
+        """Whether a command is ready to continue."""
+        return self._is_computing or bool(self._long)
+
+    def is_working_for(self, channel: Hashable) -> bool:
+        """Whether an operation or system command of a connection takes long; others are served meanwhile."""
+        return any(command.channel == channel for command in self._long)
 
     def end_command(self) -> list[Addressed]:
         """Ends the direct command in progress as failed. Returns the replies that became due."""
-        if self._command is not None:
+        if self._command is not None and self._command.program is not None:
             self.machine.end_program(self._command.program, FAIL)
         self._serve()
         return self._take()
@@ -306,10 +323,15 @@ class Brick:
         self._waiting = deque(waiting for waiting in self._waiting if waiting.channel != channel)
         self._waiting_bytes = sum(len(waiting.frame) for waiting in self._waiting)
         self._system.disconnect(channel)
-        if self._command is not None and self._command.channel == channel:
-            self._command.wants_reply = False
+        for command in (self._command, *self._long):
+            if command is not None and command.channel == channel:
+                command.wants_reply, command.is_gone = False, True
         self._serve()
         return self._take()
+
+    def _begin_stretch(self) -> None:
+        self._deadline = thread_time() + self._stretch
+        self._has_worked = False
 
     def _take(self) -> list[Addressed]:
         replies, self._replies = self._replies, []
@@ -317,15 +339,23 @@ class Brick:
 
     def _serve(self) -> None:
         """Continues the current command, then the waiting frames, until one of them has to wait for time."""
-        while True:
-            if self._command is not None and not self._continue():
-                return
-            if not self._waiting:
-                return
-            channel, frame = self._waiting.popleft()
-            self._waiting_bytes -= len(frame)
-            if not self.equipment.is_dead:
-                self._take_up(channel, frame)
+        while (self._command is not None or self._begin_next()) and (self._command is None or self._continue()):
+            pass
+
+    def _begin_next(self) -> bool:
+        """Takes up the next frame, or a command that takes long. Returns False if there is none, or no time."""
+        for number, (channel, frame) in enumerate(self._waiting):
+            if not self.is_working_for(channel):
+                del self._waiting[number]
+                self._waiting_bytes -= len(frame)
+                if not self.equipment.is_dead:
+                    self._take_up(channel, frame)
+                return True
+        if not self._long or (self._has_worked and thread_time() > self._deadline):
+            return False
+        self._has_worked = True
+        self._command = self._long.popleft()
+        return True
 
     def _take_up(self, channel: Hashable, frame: bytes) -> None:
         if len(frame) < HEADER_SIZE:
@@ -354,19 +384,24 @@ class Brick:
         end = len(frame) - COMMAND_HEADER_SIZE
         only = ProgramObject(1, 0, bytearray(LOCALS), local_size, status=RUNNING)
         program = Program(CMD_SLOT, code, end, self._global_memory, global_size, {1: only}, started=self.microseconds)
-        command = _Command(channel, counter, wants_reply, global_size, program)
+        command = _Command(channel, counter, wants_reply, program, global_size)
         if not found.accepted:
             program.status, program.result = STOPPED, FAIL
-            self._answer(command)
+            self._answer(command, program)
             return
-        self.machine.slots[CMD_SLOT] = program
         self._command = command
 
     def _continue(self) -> bool:
-        """Executes the direct command in progress until it ends, waits or takes too long. Returns whether it ended."""
+        """Executes the command in progress until it ends, waits or takes too long.
+
+        Returns whether others are served next: it has ended, or one of its operations takes long.
+        """
         command = self._command
         assert command is not None
         program = command.program
+        if program is None:
+            return self._continue_system(command)
+        self.machine.slots[CMD_SLOT] = program
         begun = now = thread_time()
         spent = command.spent
         has_waited = False
@@ -384,22 +419,26 @@ class Brick:
                 break
             now = thread_time()
             command.spent = spent + now - begun
+            if now > self._deadline and program.is_working:
+                self._command, self._is_computing = None, False
+                self._long.append(command)
+                return True
             if now > self._deadline or (is_waiting and has_waited):
-                self.is_computing = not is_waiting
+                self._is_computing = not is_waiting
                 return False
             # Repeated once immediately: some operations wait only for what they have changed themselves.
             has_waited = is_waiting
         self._command = None
-        self.is_computing = False
+        self._is_computing = False
         if not self.equipment.is_dead:
-            self._answer(command)
+            self._answer(command, program)
         # A real brick takes some milliseconds for a frame, during which its programs continue.
         self._turn_programs(always=False)
         return True
 
-    def _answer(self, command: _Command) -> None:
+    def _answer(self, command: _Command, program: Program) -> None:
         if command.wants_reply:
-            is_fine = command.program.result == OK
+            is_fine = program.result == OK
             kind = MessageType.DIRECT_REPLY if is_fine else MessageType.DIRECT_REPLY_ERROR
             self._reply(command.channel, command.counter, kind, bytes(self._global_memory[: command.global_size]))
 
@@ -411,17 +450,35 @@ class Brick:
     # System commands
 
     def _take_system(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
+        self._command = _Command(channel, counter, wants_reply, None, steps=self._system.answer(channel, frame))
+        self._command.number = frame[HEADER_SIZE : HEADER_SIZE + 1]
+
+    def _continue_system(self, command: _Command) -> bool:
+        """Does the steps of a system command; the others are served when it takes long."""
+        self._command = None
+        failed = True, command.number + bytes((SystemStatus.UNKNOWN_ERROR,))
         try:
-            found = self._system.answer(channel, frame)
-        except Exception as error:
-            found = True, bytes((frame[HEADER_SIZE], SystemStatus.UNKNOWN_ERROR))
-            if not isinstance(error, OSError):
-                raise
-        finally:
-            if found is not None and wants_reply:
-                is_error, contents = found
-                kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
-                self._reply(channel, counter, kind, contents)
+            while True:
+                next(command.steps)
+                if thread_time() > self._deadline:
+                    self._long.append(command)
+                    return True
+        except StopIteration as end:
+            self._end_system(command, end.value)
+        except OSError:
+            self._end_system(command, failed)
+        except Exception:
+            self._end_system(command, failed)
+            raise
+        return True
+
+    def _end_system(self, command: _Command, found: tuple[bool, bytes] | None) -> None:
+        if found is not None and command.wants_reply:
+            is_error, contents = found
+            kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
+            self._reply(command.channel, command.counter, kind, contents)
+        if command.is_gone:
+            self._system.disconnect(command.channel)
 
     # Time and programs
 
@@ -450,12 +507,15 @@ class Brick:
 
 @dataclass
 class _Command:
-    """The direct command in progress."""
+    """A command in progress."""
 
     channel: Hashable
     counter: int
     wants_reply: bool
-    global_size: int
-    program: Program
+    program: Program | None  # of a direct command; None for a system command
+    global_size: int = 0
     executed: int = 0  # operations so far, without those that waited
     spent: float = 0.0  # CPU seconds of this computer that it has taken
+    steps: Steps[tuple[bool, bytes] | None] = field(default_factory=_no_steps)  # the rest of a system command
+    number: bytes = b""  # of a system command
+    is_gone: bool = False  # whether its connection has ended

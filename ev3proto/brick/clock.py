@@ -15,7 +15,7 @@ OPERATIONS_PER_TICK = 300
 """Operations of all turns of a program in a tick: a real brick executes some hundred thousand a second."""
 
 QUICK_OPERATIONS = 16
-"""Operations without CMD between two checks of the time; it is also checked after each with one, which may be slow."""
+"""Quick operations between two checks of the time; it is also checked after each other one."""
 
 MOST_OPERATIONS = 3_000_000
 """Operations after which a direct command is ended, which the firmware would execute forever."""

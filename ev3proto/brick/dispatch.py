@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cache
+from inspect import isgeneratorfunction
 from typing import Any
 
 import ev3proto.brick.operations  # noqa: F401 - registers the handlers
@@ -32,8 +33,10 @@ def dispatch_table(dialect: str) -> Dispatch:
         if handler is None:
             entry = Entry(fail, None)
         else:
-            function = _computing(declaration, handler.function) if handler.computes else handler.function
-            entry = Entry(function, None if handler.raw else _readers(declaration, handler))
+            function = _in_steps(handler.function) if isgeneratorfunction(handler.function) else handler.function
+            function = _computing(declaration, function) if handler.computes else function
+            is_quick = all(parameter.type.size for parameter in declaration.parameters) and declaration.tail is None
+            entry = Entry(function, None if handler.raw else _readers(declaration, handler), is_quick)
         if declaration.command is None:
             plain[number] = entry
         else:
@@ -56,6 +59,15 @@ def _computing(declaration: Declaration, function: Function) -> Function:
                 write(place, value)
 
     return compute
+
+
+def _in_steps(function: Function) -> Function:
+    """Returns a handler that does the steps of a generator."""
+
+    def work(vm: Machine, *parameters: Any) -> None:
+        vm.work(function(vm, *parameters))
+
+    return work
 
 
 def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:

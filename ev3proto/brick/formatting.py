@@ -34,9 +34,22 @@ def padded(text: str, figures: int) -> str:
     return text.rjust(figures) if figures >= 0 else text.ljust(-figures)
 
 
-def formatted(pattern: bytes, value: int | float) -> bytes:
-    """Writes a number in a format of C's printf; every conversion gets it (in the firmware, only the first)."""
-    return _CONVERSION.sub(lambda found: _converted(found, value), pattern)
+def formatted(pattern: bytes, value: int | float, most: int = MOST_CHARACTERS) -> bytes:
+    """Writes a number in a format of C's printf; every conversion gets it (in the firmware, only the first).
+
+    Returns:
+        At most `most` bytes; what would follow is not computed.
+    """
+    text, at = b"", 0
+    pattern = pattern[:MOST_CHARACTERS]
+    for found in _CONVERSION.finditer(pattern):
+        text += pattern[at : found.start()] + _converted(found, value)
+        at = found.end()
+        if len(text) >= most:
+            break
+    else:
+        text += pattern[at:]
+    return text[:most]
 
 
 def _converted(found: re.Match[bytes], value: int | float) -> bytes:

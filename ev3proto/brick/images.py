@@ -8,18 +8,23 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ev3proto.bounded import Bounded
-from ev3proto.brick.running_programs import RUNNING, Program, ProgramObject
+from ev3proto.brick.running_programs import RUNNING, STEP, Program, ProgramObject
+from ev3proto.brick.steps import Steps
 from ev3proto.errors import DecodeError
-from ev3proto.program import CodeObject, parse
-from ev3proto.program.parameters import table_bytes
-from ev3proto.program.walk import walk
+from ev3proto.program import ProgramParameter
+from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER, PACKED_OBJECT
+from ev3proto.program.parameters import read_table
+from ev3proto.program.walk import walking
 from ev3proto.tables.memory import ARRAY_ROOM
-from ev3proto.tables.program import ObjectKind
+from ev3proto.tables.program import MAX_IMAGE, SIGN, ObjectKind, kind_of
 
 FIRST_ADDRESS = 0x40000000
-STEP = 0x01000000
+_ADDRESS_STEP = 0x01000000
 MOST_IMAGES = 64
 """Images that are kept; the oldest is forgotten."""
+
+MOST_BYTES = 2 * ARRAY_ROOM
+"""Bytes of all images that are kept."""
 
 _ZEROS = bytes(8)
 """The bytes after an image, which an incomplete operation reads."""
@@ -41,8 +46,10 @@ class Images:
 
     def add(self, data: bytes, folder: str) -> int:
         """Puts an image in memory and returns its address."""
+        while self._images and sum(len(image.data) for image in self._images.values()) + len(data) > MOST_BYTES:
+            self._images.pop_oldest()
         address = self._next
-        self._next = FIRST_ADDRESS if address + 2 * STEP > 0x7FFFFFFF else address + STEP
+        self._next = FIRST_ADDRESS if address + 2 * _ADDRESS_STEP > 0x7FFFFFFF else address + _ADDRESS_STEP
         self._images.add(address, Image(data, folder))
         return address
 
@@ -51,50 +58,60 @@ class Images:
         return self._images.get(address)
 
 
-def _first_operation(part: CodeObject) -> int:
-    """Returns where an object's operations begin: after the parameter table, if it is a subcall."""
-    return part.offset + (len(table_bytes(part.parameters)) if part.kind is ObjectKind.SUBCALL else 0)
-
-
-def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
+def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program | None]:
     """Makes a program of an image, with its first object ready to run; None if the image is damaged or too large."""
-    try:
-        parsed = parse(image.data, strict=False, dialect=dialect)
-    except DecodeError:
+    data = image.data
+    if not data.startswith(SIGN) or not IMAGE_HEADER_SIZE <= len(data) <= MAX_IMAGE:
         return None
-    if not walk(image.data, dialect).accepted:
+    _, _, count, global_size = PACKED_HEADER.unpack_from(data, len(SIGN))
+    if IMAGE_HEADER_SIZE + count * OBJECT_HEADER_SIZE > len(data):
         return None
-    needed = parsed.global_size + sum(part.local_size for part in parsed.objects)
-    if needed > ARRAY_ROOM or not parsed.objects:
+    found = yield from walking(data, dialect)
+    if not found.accepted:
         return None
     objects: dict[int, ProgramObject] = {}
-    for part in parsed.objects:
-        objects[part.number] = ProgramObject(
-            part.number,
-            _first_operation(part),
-            bytearray(part.local_size),
-            part.local_size,
-            kind=part.kind,
-            triggers=part.triggers,
-            parameters=part.parameters,
+    owners: dict[int, int] = {}
+    needed = global_size
+    for number, read in enumerate(found.objects, 1):
+        at = IMAGE_HEADER_SIZE + (number - 1) * OBJECT_HEADER_SIZE
+        _, owner, triggers, local_size = PACKED_OBJECT.unpack_from(data, at)
+        needed += local_size
+        if needed > ARRAY_ROOM:
+            return None
+        kind = kind_of(owner, triggers)
+        parameters, begin = _table(data, read.offset) if kind is ObjectKind.SUBCALL else ((), read.offset)
+        local_memory = bytearray(local_size)
+        objects[number] = ProgramObject(
+            number, begin, local_memory, local_size, kind=kind, triggers=triggers, parameters=parameters
         )
-    for part in parsed.objects:
-        if part.owner in objects:
+        if kind is ObjectKind.BLOCK:
+            owners[number] = owner
+        if number % STEP == 0:
+            yield
+    for number, owner in owners.items():
+        if owner in objects:
             # A block runs in the memory of its owner.
-            objects[part.number].local_memory = objects[part.owner].local_memory
+            objects[number].local_memory = objects[owner].local_memory
     for entry in objects.values():
         entry.reset()
     objects[1].status = RUNNING
-    code = bytearray(image.data)
-    end = len(code)
-    code += _ZEROS
-    return Program(
+    program = Program(
         slot,
-        code,
-        end,
-        bytearray(parsed.global_size),
-        parsed.global_size,
+        bytearray(data + _ZEROS),
+        len(data),
+        bytearray(global_size),
+        global_size,
         objects,
         started=started,
         folder=image.folder,
     )
+    yield from program.find_labels()
+    return program
+
+
+def _table(data: bytes, at: int) -> tuple[tuple[ProgramParameter, ...], int]:
+    """Returns the parameters of a subcall, and where its operations begin."""
+    try:
+        return read_table(data, at, len(data))
+    except DecodeError:
+        return (), at

@@ -18,7 +18,7 @@ from ev3proto.brick.handlers import Dispatch, Family
 from ev3proto.brick.handles import Array
 from ev3proto.brick.images import Image, Images, load
 from ev3proto.brick.open_files import OpenFile
-from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Sleep, WildAccess
+from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Pause, Sleep, WildAccess
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
@@ -31,6 +31,7 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
+from ev3proto.brick.steps import Steps
 from ev3proto.schema.argument import INTEGER_FORMS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, SIZES, STRINGS, TEXT, Encoding
@@ -111,6 +112,7 @@ class Machine:
         self.local_memory = bytearray()
         self.images = Images()  # program images in memory
         self._scratch = bytearray(_SCRATCH)
+        self._deadline = math.inf
         self._dispatch = dispatch
 
     # The clock
@@ -145,12 +147,16 @@ class Machine:
         self.code, self.ip = program.code, entry.ip
         self.global_memory, self.local_memory = program.global_memory, entry.local_memory
         left = most
+        self._deadline = deadline
         is_timed = deadline < math.inf
         look = most - QUICK_OPERATIONS if is_timed else 0
         begin = self.ip
         code, dispatch = self.code, self._dispatch
         is_waiting = False
         try:
+            if entry.work is not None:
+                steps, entry.work = entry.work, None
+                self.work(steps)
             while left > 0:
                 if left == look:
                     look = left - QUICK_OPERATIONS
@@ -164,8 +170,6 @@ class Machine:
                 if found is None:
                     raise NoOperation
                 if isinstance(found, Family):
-                    if is_timed:
-                        look = left
                     entries, unknown = found
                     command = entries.get(self.int8())
                     if command is None:
@@ -173,7 +177,9 @@ class Machine:
                             unknown(self)
                         continue
                     found = command
-                function, readers = found
+                function, readers, is_quick = found
+                if is_timed and not is_quick:
+                    look = left
                 if readers is None:
                     function(self)
                 else:
@@ -181,6 +187,9 @@ class Machine:
             entry.ip = self.ip
         except Sleep:
             entry.ip = self.ip
+        except Pause:
+            entry.ip = self.ip
+            program.unfinished = max(left, 1)
         except Busy as busy:
             entry.ip = begin
             program.waits_for = "".join(busy.args)
@@ -202,9 +211,16 @@ class Machine:
         program.executed += executed
         return executed, is_waiting
 
-    def start_program(self, slot: int, image: Image) -> bool:
+    def work(self, steps: Steps[None]) -> None:
+        """Does the steps of an operation; raises Pause where the time of the turn is over."""
+        for _ in steps:
+            if thread_time() > self._deadline:
+                self.object.work = steps
+                raise Pause
+
+    def start_program(self, slot: int, image: Image) -> Steps[bool]:
         """Makes a program of an image and starts it in a slot. Returns False and logs an error if it is damaged."""
-        program = load(slot, image, self.microseconds, self.brick.dialect)
+        program = yield from load(slot, image, self.microseconds, self.brick.dialect)
         if program is None:
             self.brick.settings.log_error("VM_PROGRAM_VALIDATION")
             return False
@@ -221,6 +237,9 @@ class Machine:
         program.ended = self.microseconds
         for entry in program.objects.values():
             entry.status = STOPPED
+            if entry.work is not None:
+                entry.work.close()
+                entry.work = None
         for handle, _ in program.handles.items():
             self.release(program, handle)
         self.brick.program_ended(program)

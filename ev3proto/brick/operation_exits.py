@@ -24,6 +24,10 @@ class Busy(OperationExit):
     """
 
 
+class Pause(OperationExit):
+    """The operation has taken long: its next steps are done at the program's next turn."""
+
+
 class Leave(OperationExit):
     """The running object is left: it has ended, called another one, or its program was stopped."""
 

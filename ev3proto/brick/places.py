@@ -108,12 +108,13 @@ class Place:
         at = self._whole(len(data))
         self.buffer[at : at + len(data)] = data
 
-    def read_text(self) -> bytes:
-        """Reads a text, without its zero. Without a zero it ends with the memory."""
+    def read_text(self, most: int | None = None) -> bytes:
+        """Reads a text of at most this number of bytes, without its zero. Without a zero it ends with the memory."""
         if not 0 <= self.at <= len(self.buffer):
             raise WildAccess
-        end = self.buffer.find(0, self.at)
-        return bytes(self.buffer[self.at : end if end >= 0 else len(self.buffer)])
+        last = len(self.buffer) if most is None else min(self.at + most, len(self.buffer))
+        end = self.buffer.find(0, self.at, last)
+        return bytes(self.buffer[self.at : end if end >= 0 else last])
 
     def write_text(self, text: bytes) -> None:
         """Writes a text and its zero."""

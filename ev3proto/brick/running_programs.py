@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from ev3proto.brick.handles import HandleTable
 from ev3proto.brick.places import Place
-from ev3proto.checking.verdict import validator
+from ev3proto.brick.steps import Steps, finish
+from ev3proto.checking.verdict import Refusal, validator
 from ev3proto.program import ProgramParameter
 from ev3proto.tables import operations
 from ev3proto.tables.enumerations import OBJSTAT, RESULT, SLOT
@@ -22,6 +23,13 @@ CURRENT_SLOT = SLOT.members["CURRENT_SLOT"]
 SLOTS = 5
 
 _LABEL = operations()["LABEL"].opcode.number
+_OBJECT_END = operations()["OBJECT_END"].opcode.number
+
+_AFTER_CODE = bytes(256)
+"""Zeros after code, more than an operation can read beyond the end."""
+
+STEP = 2000
+"""Operations or objects that are looked at in one step."""
 
 
 class Result(NamedTuple):
@@ -48,6 +56,7 @@ class ProgramObject:
     pending: int = 0  # triggers that are still missing
     caller: ProgramObject | None = None  # the object that called it
     results: list[Result] = field(default_factory=list)  # its outputs, and their places in the caller's memory
+    work: Steps[None] | None = None  # the rest of an operation that takes long
 
     def reset(self) -> None:
         """Resets it to its beginning."""
@@ -86,21 +95,36 @@ class Program:
     def label(self, number: int) -> int | None:
         """Returns the offset of the last opLABEL with a number; None for an unknown number."""
         if self._labels is None:
-            self._labels = self._find_labels()
+            finish(self.find_labels())
+        assert self._labels is not None
         return self._labels.get(number)
 
-    def _find_labels(self) -> dict[int, int]:
+    def find_labels(self) -> Steps[None]:
+        """Looks for all opLABELs, in the way in which the firmware validates code."""
         found: dict[int, int] = {}
+        step = validator("official").step
         starts = sorted({entry.begin for entry in self.objects.values()})
+        count = 0
         for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:stop])
-            offsets: list[int] = []
-            validator("official").scan(code, 0, len(code), offsets)
-            for offset in offsets:
+            if _LABEL not in code:
+                continue
+            data = code + _AFTER_CODE
+            at: int | Refusal = 0
+            while isinstance(at, int) and at < len(code) and code[at] != _OBJECT_END:
                 # The number is a short constant, 0 to 31: of other constants, the validator accepts only long ones.
-                if code[offset] == _LABEL and offset + 1 < len(code):
-                    found[label_number(code, offset + 1)] = begin + offset
-        return found
+                if code[at] == _LABEL and at + 1 < len(code):
+                    found[label_number(code, at + 1)] = begin + at
+                at = step(data, at, len(code))
+                count += 1
+                if count % STEP == 0:
+                    yield
+        self._labels = found
+
+    @property
+    def is_working(self) -> bool:
+        """Whether an operation takes long, and is continued with the next turn."""
+        return self.current is not None and self.current.work is not None
 
     def next_object(self) -> ProgramObject | None:
         """Returns the next object that runs, after the current one in the order of their numbers."""

@@ -12,9 +12,11 @@ import os
 import stat
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
+from ev3proto.brick.steps import Steps
 from ev3proto.tables.paths import HOME, parts
 
 FOLDERS = ("apps", "prjs", "sys", "tools")
@@ -117,7 +119,7 @@ class Storage:
         with file:
             return file.readall()
 
-    def listing(self, path: bytes) -> bytes | None:
+    def listing(self, path: bytes) -> Steps[bytes | None]:
         """Returns a folder as LIST_FILES shows it: in reverse order, one line an entry.
 
         None for an unknown folder. Anything but files, folders and links is omitted.
@@ -132,19 +134,21 @@ class Storage:
             if stat.S_ISDIR(status.st_mode) or stat.S_ISLNK(status.st_mode):
                 lines.append(os.fsencode(name) + b"/\n")
             elif stat.S_ISREG(status.st_mode):
-                digest = self._digest(place / name)
+                digest = yield from self._digest(place / name)
                 lines.append(b"%s %08X %s\n" % (digest, status.st_size & 0xFFFFFFFF, os.fsencode(name)))
+            yield
         # The folder itself and the one above come first in a folder, so they come last here.
         return b"".join((*reversed(lines), b"../\n", b"./\n"))
 
-    def _digest(self, place: Path) -> bytes:
+    def _digest(self, place: Path) -> Steps[bytes]:
         """Returns the MD5 in upper case; for an unreadable file that of an empty one."""
         digest = hashlib.md5(usedforsecurity=False)
         file = self._open(place, os.O_RDONLY, "rb")
         if file is not None:
             with file:
-                while chunk := file.read(1 << 16):
+                while chunk := file.read(_PIECE):
                     digest.update(chunk)
+                    yield
         return digest.hexdigest().upper().encode("ascii")
 
     def shown(self, path: bytes) -> list[bytes]:
@@ -158,7 +162,9 @@ class Storage:
             return [above]
         if place is None or not _is_folder(place):
             return []
-        return [os.fsencode(name) for name, _ in _entries(place)]
+        with suppress(OSError), os.scandir(place) as found:
+            return [os.fsencode(entry.name) for entry in found]
+        return []
 
     def totals(self, path: bytes) -> Totals:
         """Returns the totals of a folder or file; zeros if it does not exist."""
@@ -167,8 +173,8 @@ class Storage:
             return Totals(0, 0)
         if not _is_folder(place):
             return Totals(0, place.lstat().st_size if _is_file(place) else 0)
-        sizes = [status.st_size for _, status in _entries(place) if stat.S_ISREG(status.st_mode)]
-        return Totals(len(list(_entries(place))) + 2, sum(sizes))
+        found = [status for _, status in _entries(place)]
+        return Totals(len(found) + 2, sum(status.st_size for status in found if stat.S_ISREG(status.st_mode)))
 
     # Writing
 
@@ -234,56 +240,63 @@ class Storage:
             self.used -= status.st_size
         return True
 
-    def remove(self, path: bytes) -> bool:
+    def remove(self, path: bytes) -> Steps[bool]:
         """Deletes a file, or a folder with its files; a folder that contains folders stays, with these."""
         path = path.rstrip(b"/")
         place = self.locate(path)
         if place is not None and _is_folder(place):
-            for name, status in list(_entries(place)):
+            for name, status in _entries(place):
                 if not stat.S_ISDIR(status.st_mode):
                     self.delete(path + b"/" + os.fsencode(name))
+                yield
         return self.delete(path)
 
-    def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> bool:
+    def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> Steps[bool]:
         """Copies a file, or a folder and all that is in it, over the target. Returns False if that is impossible."""
         source, target = source.rstrip(b"/"), target.rstrip(b"/")
         origin, goal = self.locate(source), self.locate(target)
         if origin is None or goal is None or goal.is_relative_to(origin):
             return False
         if _is_file(origin):
-            return self._copy_file(source, target)
+            return (yield from self._copy_file(source, target))
         if not _is_folder(origin) or depth == 0 or origin.is_relative_to(goal):
             return False
-        self._delete_tree(target, depth)
+        yield from self._delete_tree(target, depth)
         if not self.make_folder(target):
             return False
         is_whole = True
-        for name, _ in list(_entries(origin)):
+        for name, _ in _entries(origin):
             below = b"/" + os.fsencode(name)
-            is_whole = self.copy(source + below, target + below, depth - 1) and is_whole
+            is_whole = (yield from self.copy(source + below, target + below, depth - 1)) and is_whole
+            yield
         return is_whole
 
-    def _copy_file(self, source: bytes, target: bytes) -> bool:
+    def _copy_file(self, source: bytes, target: bytes) -> Steps[bool]:
         reader = self.open_to_read(source)
         if reader is None:
             return False
         with reader:
             goal = self.locate(target)
             if goal is not None and _is_folder(goal):
-                self._delete_tree(target, MOST_DEPTH)
+                yield from self._delete_tree(target, MOST_DEPTH)
             if os.fstat(reader.fileno()).st_size > self.free:
                 return False
             writer = self.open_to_write(target)
             if writer is None:
                 return False
             with writer:
-                return all(writer.put(piece) for piece in iter(lambda: reader.read(_PIECE), b""))
+                while piece := reader.read(_PIECE):
+                    if not writer.put(piece):
+                        return False
+                    yield
+        return True
 
-    def _delete_tree(self, path: bytes, depth: int) -> None:
+    def _delete_tree(self, path: bytes, depth: int) -> Steps[None]:
         place = self.locate(path)
         if place is not None and _is_folder(place) and depth:
-            for name, _ in list(_entries(place)):
-                self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
+            for name, _ in _entries(place):
+                yield from self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
+                yield
         self.delete(path)
 
     def _may_make(self) -> bool:
@@ -365,16 +378,14 @@ def _walk(place: Path, depth: int) -> Iterator[os.stat_result]:
             yield from _walk(place / name, depth - 1)
 
 
-def _entries(place: Path) -> Iterator[tuple[str, os.stat_result]]:
-    """Yields the entries of a folder in its own order, without following links; none if it cannot be read."""
-    try:
-        entries = list(place.iterdir())
-    except OSError:
-        return
-    for entry in entries:
-        status = _status(entry)
-        if status is not None:
-            yield entry.name, status
+def _entries(place: Path) -> list[tuple[str, os.stat_result]]:
+    """Returns the entries of a folder in its own order, without following links; none if it cannot be read."""
+    found = []
+    with suppress(OSError), os.scandir(place) as entries:
+        for entry in entries:
+            with suppress(OSError):
+                found.append((entry.name, entry.stat(follow_symlinks=False)))
+    return found
 
 
 def _status(place: Path) -> os.stat_result | None:

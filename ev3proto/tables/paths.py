@@ -34,8 +34,14 @@ USUAL_FOLDERS = (
 )
 """Folders of a brick as LEGO delivers it, below /home/root/lms2012."""
 
-ALLOWED = frozenset((string.ascii_letters + string.digits + "_-./~ ").encode(STRING_CODING))
+_LETTERS = (string.ascii_letters + string.digits + "_-./~ ").encode(STRING_CODING)
+
+ALLOWED = frozenset(_LETTERS)
 """Characters of file names."""
+
+
+MOST_PATH = 4096
+"""Bytes of the longest path that the brick's system takes."""
 
 
 class FileName(NamedTuple):
@@ -69,12 +75,19 @@ def has_room(path: bytes) -> bool:
 
 def is_allowed(path: bytes) -> bool:
     """Returns whether all characters are allowed and nothing is too long."""
-    return has_room(path) and ALLOWED.issuperset(path)
+    return has_room(path) and is_spelled(path)
+
+
+def is_spelled(text: bytes) -> bool:
+    """Returns whether all characters are allowed in names of files."""
+    return not text.translate(None, _LETTERS)
 
 
 def parts(path: bytes) -> list[bytes]:
     """Returns the names in a path from the root folder, without `.` and `..`; none for an impossible path."""
     found = [] if path.startswith(b"/") else list(CURRENT)
+    if len(path) > MOST_PATH:
+        return []
     for part in path.split(b"/") if b"\0" not in path else ():
         if part == b"..":
             del found[-1:]

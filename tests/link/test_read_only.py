@@ -337,7 +337,7 @@ def test_replay_uses_the_handles_of_this_brick(tmp_path: Path) -> None:
 
 
 def test_what_reads_in_captures_of_clients_passes(tmp_path: Path) -> None:
-    devices = {1: 16, 3: 33, "A": 7, "B": 7, "C": 8, "D": 7}
+    devices: dict[int | str, int] = {1: 16, 3: 33, "A": 7, "B": 7, "C": 8, "D": 7}
     with guarded(tmp_path) as (brick, found), Client(found.proxy.port) as client:
         for port, number in devices.items():
             brick.now.brick.plug(port, number)

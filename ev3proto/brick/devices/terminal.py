@@ -20,10 +20,11 @@ class Terminal:
 
     def write(self, text: bytes) -> None:
         """Gathers text; whenever the buffer is full it is flushed."""
-        while text:
+        at = 0
+        while at < len(text):
             room = ROOM - len(self.text)
-            self.text += text[:room]
-            text = text[room:]
+            self.text += text[at : at + room]
+            at += room
             if len(self.text) >= ROOM:
                 self.flush()
 

@@ -9,8 +9,12 @@ from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.places import Place
+from ev3proto.brick.steps import Steps
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.move import SIZES
+
+_STEP = 1000
+"""Elements that INIT sets in one step."""
 
 
 def _array(vm: Machine, handle: int) -> Array:
@@ -50,7 +54,7 @@ def _create(kind: Type) -> Callable[[Machine, int, Place], None]:
     return create
 
 
-def _init(kind: Type) -> Callable[[Machine], None]:
+def _init(kind: Type) -> Callable[[Machine], Steps[None]]:
     """Returns a handler. The command's type is the width of the values, not the array's type."""
     read = {
         Type.DATA8: Machine.int8,
@@ -59,13 +63,15 @@ def _init(kind: Type) -> Callable[[Machine], None]:
         Type.DATAF: Machine.float_bits,
     }[kind]
 
-    def init(vm: Machine) -> None:
+    def init(vm: Machine) -> Steps[None]:
         array = _array(vm, vm.int16())
         index, count = vm.int32(), vm.int32()
         if index < 0 or count < 0 or index + count > array.elements:
             raise Failure
         for number in range(index, index + count):
             _put(array, number * kind.size, (read(vm) & 0xFFFFFFFF).to_bytes(4, "little")[: kind.size])
+            if number % _STEP == _STEP - 1:
+                yield
 
     return init
 

@@ -11,7 +11,7 @@ from ev3proto.brick.handlers import handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy
 from ev3proto.brick.places import Place
-from ev3proto.brick.text_lines import DELIMITERS, line_of, lines_of
+from ev3proto.brick.text_lines import DELIMITERS, lines_of
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
@@ -21,6 +21,9 @@ _LARGE_ICONS = 32
 """Bits of ICON_QUESTION's set of icons."""
 
 _SHOWN_LINES = 200
+_MOST_SHOWN = 1 << 16
+"""Lines and bytes of a text box that are shown."""
+
 _KINDS = {
     str(CONSTANTS[extension]).encode(STRING_CODING): FILETYPE.members[kind]
     for extension, kind in (
@@ -160,33 +163,37 @@ def keyboard(
 
 
 def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box: tuple[int, int, int, int]) -> int:
-    """Returns the number of the chosen line, counted from 0; -1 for none. Waits for the choice."""
+    """Returns the number of the chosen line, counted from 0; -1 for none. Waits for the choice.
+
+    The lines are read once, when the dialog is opened.
+    """
     dialog = _current(vm)
     if begins or dialog is None:
-        _open(vm).show_list(*box, lines())
+        dialog = _open(vm)
+        dialog.lines = lines()
+        dialog.show_list(*box, dialog.lines)
         raise Busy
-    shown = lines()
-    if _moved(vm, dialog, "up", "down", len(shown)):
-        dialog.show_list(*box, shown)
+    if _moved(vm, dialog, "up", "down", len(dialog.lines)):
+        dialog.show_list(*box, dialog.lines)
     is_back = _pressed(vm, "back")
     if not is_back and not _pressed(vm, "enter"):
         raise Busy
     _close(vm)
-    return -1 if is_back or not shown else dialog.choice
+    return -1 if is_back or not dialog.lines else dialog.choice
 
 
 @handles("UI_DRAW.BROWSE")
 def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length: int, kind: Place, path: Place) -> None:
     """Asks for a file or folder in a folder."""
     folder = path.read_text()
-    names = vm.brick.files.shown(folder)
-    chosen = _choose(vm, False, lambda: names, (x, y, width, height))
-    if chosen < 0:
+    files, dialog = vm.brick.files, vm.brick.dialog
+    chosen = _choose(vm, False, lambda: files.shown(folder), (x, y, width, height))
+    if chosen < 0 or dialog is None:
         kind.write8(0)
         vm.write_limited(path, b"", length)
         return
-    whole = folder.rstrip(b"/") + b"/" + names[chosen]
-    is_folder = vm.brick.files.is_folder(whole)
+    whole = folder.rstrip(b"/") + b"/" + dialog.lines[chosen]
+    is_folder = files.is_folder(whole)
     extension = paths.split(whole).extension
     kind.write8(FILETYPE.members["TYPE_FOLDER"] if is_folder else _KINDS.get(extension, 0))
     vm.write_limited(path, whole, length)
@@ -198,11 +205,10 @@ def textbox(
 ) -> None:
     """Shows the lines of a text and asks for one."""
     ends = DELIMITERS.get(delimiter, b"")
-    whole = text[: max(size, 0)]
+    whole = text[: max(min(size, _MOST_SHOWN), 0)]
 
     def lines() -> list[bytes]:
-        count = len(list(islice(lines_of(whole, ends), _SHOWN_LINES)))
-        return [line_of(whole, ends, number + 1) for number in range(count)]
+        return list(islice((each for each in lines_of(whole, ends) if each is not None), _SHOWN_LINES))
 
     begins = line.read16() < 0
     if begins:

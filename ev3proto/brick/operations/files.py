@@ -12,6 +12,7 @@ from ev3proto.brick.open_files import MOST_RECENT, OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import RUNNING
+from ev3proto.brick.steps import Steps
 from ev3proto.brick.text_lines import DELIMITERS
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -195,25 +196,24 @@ def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
 
 
 @handles("FILE.REMOVE", places=("NAME",))
-def remove(vm: Machine, place: Place) -> None:
+def remove(vm: Machine, place: Place) -> Steps[None]:
     """Deletes a file, or a folder with its files; the list of recent files forgets them."""
     name = checked_name(vm, place)
     if name is not None:
-        _remove(vm, name)
+        yield from _remove(vm, name)
 
 
-def _remove(vm: Machine, path: bytes) -> None:
-    files = vm.brick.files
-    if files.is_folder(path):
-        for entry in files.entries(path):
-            vm.brick.recent.forget(path + b"/" + entry)
-    else:
-        vm.brick.recent.forget(path)
-    files.remove(path)
+def _remove(vm: Machine, path: bytes) -> Steps[None]:
+    files, recent = vm.brick.files, vm.brick.recent
+    for known in recent.paths:
+        folder, _, name = known.rpartition(b"/")
+        if known == path or (folder == path and name in files.entries(path)):
+            recent.forget(known)
+    yield from files.remove(path)
 
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
-def move(vm: Machine, source: Place, target: Place) -> None:
+def move(vm: Machine, source: Place, target: Place) -> Steps[None]:
     """Copies: the source stays. The target is deleted, even if there is nothing to copy."""
     origin = checked_name(vm, source)
     goal = None if origin is None else checked_name(vm, target)
@@ -221,8 +221,8 @@ def move(vm: Machine, source: Place, target: Place) -> None:
         return
     files = vm.brick.files
     if files.is_file(goal) or files.is_folder(goal):
-        _remove(vm, goal)
-    files.copy(origin, goal)
+        yield from _remove(vm, goal)
+    yield from files.copy(origin, goal)
 
 
 def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
@@ -240,14 +240,14 @@ def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: 
 
 
 @handles("FILE.DEL_SUBFOLDER")
-def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
+def delete_entry(vm: Machine, folder: bytes, item: int) -> Steps[None]:
     """Deletes a folder in a folder, with its files.
 
     The name follows the folder as it is, without a slash and without its extension. So a file that has one is not
     found, and a missing entry means the folder itself.
     """
     name = _entry(vm, folder, item) or b""
-    _remove(vm, folder + name.partition(b".")[0])
+    yield from _remove(vm, folder + name.partition(b".")[0])
 
 
 # Recent files

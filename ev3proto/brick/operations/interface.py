@@ -11,6 +11,7 @@ from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy
 from ev3proto.brick.places import Place
+from ev3proto.brick.steps import Steps
 from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
 _NOTHING = b"nan"
@@ -116,9 +117,9 @@ def get_address(vm: Machine) -> int:
 @handles("UI_READ.TEXTBOX_READ")
 def textbox_read(
     _: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Place
-) -> None:
+) -> Steps[None]:
     """Writes a line of a text box."""
-    line = line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
+    line = yield from line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
     destination.write_text(line[: length - 1] if length > 0 else b"" if length == 0 else line)
 
 

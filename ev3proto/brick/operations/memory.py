@@ -8,9 +8,13 @@ from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import CURRENT_SLOT, GUI_SLOT, STOPPED
+from ev3proto.brick.steps import Steps
 
 MEMORY_KB = 6000
 """Size of the flash memory for users' files."""
+
+_STEP = 1 << 14
+"""Bytes that are copied in one step."""
 
 
 def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | None:
@@ -31,7 +35,7 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
 
 
 @handles("MEMORY_READ")
-def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Place) -> None:
+def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Place) -> Steps[None]:
     """Writes zeros for bytes outside; nothing if the memory does not exist."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
@@ -41,10 +45,12 @@ def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, de
     for index in range(count):
         at = offset + index
         destination.buffer[destination.at + index] = memory[at] if 0 <= at < size else 0
+        if index % _STEP == _STEP - 1:
+            yield
 
 
 @handles("MEMORY_WRITE")
-def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Place) -> None:
+def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Place) -> Steps[None]:
     """Writes a program's memory; bytes outside are omitted."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
@@ -54,6 +60,8 @@ def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, s
     for index in range(count):
         if 0 <= offset + index < size:
             memory[offset + index] = source.buffer[source.at + index]
+        if index % _STEP == _STEP - 1:
+            yield
 
 
 computes({"MEMORY_USAGE": lambda vm: (MEMORY_KB, max(0, MEMORY_KB - math.ceil(vm.brick.files.used / 1024)))})

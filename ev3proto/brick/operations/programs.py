@@ -25,6 +25,7 @@ from ev3proto.brick.running_programs import (
     ProgramObject,
     Result,
 )
+from ev3proto.brick.steps import Steps
 from ev3proto.program import ProgramParameter
 from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.program import aligned
@@ -177,7 +178,13 @@ def get_speed(vm: Machine, slot: int) -> int:
 
 
 @handles("PROGRAM_START")
-def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) -> None:  # noqa: ARG001 - as the firmware
+def program_start(
+    vm: Machine,
+    slot: int,
+    size: int,  # noqa: ARG001 - as the firmware
+    address: int,
+    mode: int,
+) -> Steps[None]:
     """Starts a loaded program; from a direct command only while neither a user's nor a debugged program runs."""
     image = vm.images.get(address)
     if image is None or mode == LOAD_ONLY or slot not in (USER_SLOT, TERM_SLOT, DEBUG_SLOT):
@@ -185,7 +192,7 @@ def program_start(vm: Machine, slot: int, size: int, address: int, mode: int) ->
     watched = (USER_SLOT, DEBUG_SLOT) if vm.program.slot == CMD_SLOT else (slot,)
     if any(other is not None and other.status == RUNNING for other in (vm.program_in(number) for number in watched)):
         return
-    vm.start_program(slot, image)
+    yield from vm.start_program(slot, image)
 
 
 # Subroutines
@@ -224,7 +231,7 @@ def _copy_input(parameter: ProgramParameter, source: Place, own: Place) -> None:
     if parameter.type is not Type.STRING:
         own.write_bytes(source.read_bytes(parameter.bytes))
     elif parameter.bytes:
-        own.write_text(source.read_text()[: parameter.bytes - 1])
+        own.write_text(source.read_text(parameter.bytes - 1))
 
 
 @handles("RETURN", raw=True)
@@ -236,7 +243,7 @@ def return_to_caller(vm: Machine) -> None:
         raise Failure
     for parameter, own, place in callee.results:
         if parameter.type is Type.STRING:
-            vm.write_text(place, own.read_text()[: parameter.bytes])
+            vm.write_text(place, own.read_text(parameter.bytes))
         else:
             place.write_bytes(own.read_bytes(parameter.bytes))
     callee.caller, callee.results = None, []

@@ -93,7 +93,7 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
     """Reads a number; a comma becomes a point in the source itself. A text without a number gives 0."""
     text = source.read_text().replace(b",", b".")
     source.write_bytes(text)
-    number = read_number(text)
+    number = read_number(text[:MOST_CHARACTERS])
     if number is not None and number != number:
         # Such a number has the sign of the text.
         destination.write32(NEGATIVE_NOT_A_NUMBER if math.copysign(1, number) < 0 else NOT_A_NUMBER)
@@ -104,7 +104,7 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
 @handles("STRINGS.VALUE_FORMATTED", "STRINGS.NUMBER_FORMATTED")
 def value_formatted(vm: Machine, value: float, pattern: bytes, size: int, destination: Place) -> None:
     """Writes a number in a format of printf, cut to the size with its zero; an array gets what is needed instead."""
-    text = formatted(pattern, value).partition(b"\0")[0][:MOST_CHARACTERS]
+    text = formatted(pattern, value, MOST_CHARACTERS).partition(b"\0")[0]
     if destination.handle >= 0 or size < 0:
         vm.write_text(destination, text)
     elif size > 0:

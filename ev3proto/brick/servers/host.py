@@ -322,7 +322,8 @@ class Host:
         best: Connection | None = None
         now = self._loop.time()
         for connection in self.connections:
-            if connection.is_ready and connection.rests_until <= now and (best is None or connection.used < best.used):
+            is_free = connection.rests_until <= now and not self.brick.is_working_for(connection)
+            if connection.is_ready and is_free and (best is None or connection.used < best.used):
                 best = connection
         return best
 

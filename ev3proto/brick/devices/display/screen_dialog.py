@@ -25,6 +25,7 @@ class ScreenDialog:
     owner: object  # the program that opened it
     choice: int = 0  # the number of the selected element, counted from 0
     text: bytes = b""  # the text typed so far
+    lines: Sequence[bytes] = ()  # from which one is chosen
     _before: Canvas = field(init=False)
 
     def __post_init__(self) -> None:

@@ -17,7 +17,7 @@ from ev3proto.program import assemble, check_program
 from ev3proto.program import parse as parse_program
 from ev3proto.program.listing import listing
 from ev3proto.reading.assembling import assembled
-from ev3proto.reading.faults import fault_of
+from ev3proto.reading.faults import Faults
 from ev3proto.reading.given import Given, given_word
 from ev3proto.reading.items import Code, Event, Image, Problem, Source, SourceKind
 from ev3proto.reading.lines import announcement_line, message_lines, record_seen
@@ -82,6 +82,7 @@ class Input:
         self._number = -1
         self._shown: dict[int, bytes] = {}
         self._findings = Findings()
+        self._faults = Faults()
         self._problems: list[Problem] = []
         self._problem_count = 0
         self._typed: str | None = None
@@ -158,7 +159,7 @@ class Input:
     def _record(self, record: Record) -> None:
         written, start_ns = record.written, self._start()
         self._show(record, start_ns)
-        fault = fault_of(record, is_text=written is not None)
+        fault = self._faults.of(record, is_text=written is not None)
         if fault is not None:
             self._problem(fault)
         if written is None:

@@ -6,6 +6,7 @@ import asyncio
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, fields
 from inspect import cleandoc
 from pathlib import Path
 
@@ -31,8 +32,8 @@ from ev3proto.cli.options import (
     Whole,
     bare_option,
     dialect_option,
-    given_options,
-    incompatible,
+    exclusive,
+    gathered,
 )
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.tables.discovery import TCP_PORT
@@ -61,66 +62,88 @@ screenshot_option = click.option(
 )
 
 
+@dataclass(frozen=True, slots=True)
+class BrickOptions:
+    """The options of `brick`. Those with the names of the server's are the server's."""
+
+    address: str
+    port: int
+    beacon: bool
+    wifi: bool
+    clients: int
+    serial: Path | None
+    page: int | None
+    root: Path | None
+    script: Path | None
+    bare: bool
+    record: Path | None
+    report: bool
+    errors_only: bool
+    as_json: bool
+    serial_number: str | None
+    screenshot: Path | None
+    dialect: str
+    quiet: bool
+    coverage: bool
+
+    def server(self, faults: Faults) -> Options:
+        """Returns the options of the server. Ends the program if the script cannot be read."""
+        own = {field.name for field in fields(self)}
+        same = {field.name: getattr(self, field.name) for field in fields(Options) if field.name in own}
+        more = {"port": self.port if self.wifi else None, "script": read_script_file(self.script)}
+        return Options(**{**same, **more}, core_set=not self.bare, faults=faults)
+
+
+_options = gathered(
+    BrickOptions,
+    "options",
+    click.option(
+        "--address",
+        default="127.0.0.1",
+        metavar="ADDRESS",
+        help="Address to listen on; by default only this computer's.",
+    ),
+    click.option(
+        "--port", type=PORT, default=TCP_PORT, show_default=True, metavar="PORT", help="TCP port for WiFi; 0 for any."
+    ),
+    click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon."),
+    click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi."),
+    click.option(
+        "--clients",
+        type=Whole(1, _MOST_CLIENTS),
+        default=1,
+        show_default=True,
+        metavar="NUMBER",
+        help="Clients served at once; a real brick serves one, and others wait.",
+    ),
+    click.option("--serial", type=PATH, metavar="PATH", help="Also offer a serial port, linked to this path."),
+    page_option,
+    root_option,
+    script_option,
+    bare_option,
+    click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng)."),
+    click.option(
+        "--report",
+        is_flag=True,
+        help="At the end, report what `check` finds in the clients' frames; exit status 1 if there are errors.",
+    ),
+    click.option("--errors-only", is_flag=True, help="Report errors only."),
+    click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line."),
+    click.option(
+        "--serial-number", type=SerialNumber(), metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits."
+    ),
+    screenshot_option,
+    dialect_option,
+    click.option("--quiet", is_flag=True, help="Do not mention the equipment and the differences from a real brick."),
+    click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit."),
+)
+
+
 @click.command()
-@click.option(
-    "--address", default="127.0.0.1", metavar="ADDRESS", help="Address to listen on; by default only this computer's."
-)
-@click.option(
-    "--port", type=PORT, default=TCP_PORT, show_default=True, metavar="PORT", help="TCP port for WiFi; 0 for any."
-)
-@click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon.")
-@click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi.")
-@click.option(
-    "--clients",
-    type=Whole(1, _MOST_CLIENTS),
-    default=1,
-    show_default=True,
-    metavar="NUMBER",
-    help="Clients served at once; a real brick serves one, and others wait.",
-)
-@click.option("--serial", type=PATH, metavar="PATH", help="Also offer a serial port, linked to this path.")
-@page_option
-@root_option
-@script_option
-@bare_option
-@click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng).")
-@click.option(
-    "--report",
-    is_flag=True,
-    help="At the end, report what `check` finds in the clients' frames; exit status 1 if there are errors.",
-)
-@click.option("--errors-only", is_flag=True, help="Report errors only.")
-@click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
-@click.option(
-    "--serial-number", type=SerialNumber(), metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits."
-)
-@screenshot_option
+@_options
 @fault_options
-@dialect_option
-@click.option("--quiet", is_flag=True, help="Do not mention the equipment and the differences from a real brick.")
-@click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit.")
-def brick(
-    address: str,
-    port: int,
-    beacon: bool,
-    wifi: bool,
-    clients: int,
-    serial: Path | None,
-    page: int | None,
-    root: Path | None,
-    script: Path | None,
-    bare: bool,
-    record: Path | None,
-    report: bool,
-    errors_only: bool,
-    as_json: bool,
-    serial_number: str | None,
-    screenshot: Path | None,
-    faults: Faults,
-    dialect: str,
-    quiet: bool,
-    coverage: bool,
-) -> None:
+@exclusive("--no-wifi", "--port", "--beacon")
+def brick(options: BrickOptions, faults: Faults) -> None:
     """Runs a virtual brick for programs to connect to.
 
     It answers as the firmware V1.04H does. Programs connect by WiFi on this computer, or on a serial port. The first
@@ -151,44 +174,27 @@ def brick(
       ev3proto brick --http --script robot.toml
       ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if coverage:
-        _show_coverage(dialect)
+    if options.coverage:
+        _show_coverage(options.dialect)
         return
-    if not wifi and (useless := [option for option in given_options("port", "beacon") if option != "--no-beacon"]):
-        raise incompatible("--no-wifi", useless[0])
-    options = Options(
-        address=address,
-        port=port if wifi else None,
-        beacon=beacon,
-        clients=clients,
-        serial=serial,
-        page=page,
-        faults=faults,
-        record=record,
-        report=report,
-        screenshot=screenshot,
-        script=read_script_file(script),
-        core_set=not bare,
-        dialect=dialect,
-        serial_number=serial_number,
-    )
-    if (errors_only or as_json) and not report:
+    server = options.server(faults)
+    if (options.errors_only or options.as_json) and not options.report:
         raise click.UsageError("--errors-only and --json need --report")
-    if options.port is None and serial is None and page is None:
+    if server.port is None and server.serial is None and server.page is None:
         raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
-    if not quiet:
-        if options.has_core_set:
+    if not options.quiet:
+        if server.has_core_set:
             complain(CORE_SET_SENTENCE)
         complain(f"this brick differs from a real one in {len(DEVIATIONS)} ways: ev3proto brick --help lists them")
-    with folder(root) as place:
-        reporter = asyncio.run(_serve(options, place))
+    with folder(options.root) as place:
+        reporter = asyncio.run(_serve(server, place))
     if reporter is None:
         return
-    if as_json:
-        for line in reporter.json_lines(errors_only=errors_only):
+    if options.as_json:
+        for line in reporter.json_lines(errors_only=options.errors_only):
             say(line)
     else:
-        Printer().lines(reporter.lines(errors_only=errors_only))
+        Printer().lines(reporter.lines(errors_only=options.errors_only))
     sys.exit(1 if reporter.has_errors else 0)
 
 

@@ -19,7 +19,7 @@ from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.annotations import GitHub, Sarif
 from ev3proto.cli.check_output import SEVERITIES, Checked, JsonOutput, Output, Place, SourceFinding, Tally, TextOutput
 from ev3proto.cli.edited import EditedFile
-from ev3proto.cli.options import given_options, incompatible, json_option
+from ev3proto.cli.options import exclusive, gathered, incompatible, json_option
 from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.cli.problems import Other, Problems
 from ev3proto.cli.reading import made_of, reading_options
@@ -56,20 +56,38 @@ ALL_CODES = "all"
 class CheckOptions:
     """The options of `check`.
 
-    fixes    print the fixed frame and the remaining findings
-    strict   count warnings as errors in the exit status
-    carrier  what carries the frames; None: as the capture says, or any
-    hidden   severities that are not shown
-    quiet    only the summary is printed
-    whole    show findings that a suggestion resolves, too
+    as_json      print JSON, as with the style `json`
+    strict       count warnings as errors in the exit status
+    fixes        print the fixed frame and the remaining findings
+    no_hints     show errors and warnings only
+    errors_only  show errors only
+    whole        show findings that a suggestion resolves, too
+    quiet        only the summary is printed
+    style        one of FORMATS; None for the default
+    carrier      what carries the frames; None: as the capture says, or any
+    code         the code to explain, instead of checking anything
     """
 
-    fixes: bool = False
+    as_json: bool = False
     strict: bool = False
-    carrier: str | None = None
-    hidden: frozenset[str] = frozenset()
-    quiet: bool = False
+    fixes: bool = False
+    no_hints: bool = False
+    errors_only: bool = False
     whole: bool = False
+    quiet: bool = False
+    style: str | None = None
+    carrier: str | None = None
+    code: str | None = None
+
+    @property
+    def format(self) -> str:
+        """The style to print in."""
+        return self.style or ("json" if self.as_json else "text")
+
+    @property
+    def hidden(self) -> frozenset[str]:
+        """The severities that are not shown."""
+        return _BUT_ERRORS if self.errors_only else frozenset({"hint"} if self.no_hints else ())
 
     def leaves_out(self, report: Report, *, is_alone: bool) -> bool:
         """Whether nothing is printed about a frame: with --errors-only, among many, one without errors."""
@@ -260,40 +278,47 @@ _OF_SOURCES = {
 }
 
 
+_options = gathered(
+    CheckOptions,
+    "options",
+    json_option,
+    click.option("--strict", is_flag=True, help="Count warnings as errors in the exit status."),
+    click.option(
+        "--fix", "fixes", is_flag=True, help="Fix what is certain; print the frame, or a text with its fixed frames."
+    ),
+    click.option("--no-hints", is_flag=True, help="Show errors and warnings only."),
+    click.option("--errors-only", is_flag=True, help="Show errors only; of many frames, only those that have some."),
+    click.option("--all-findings", "whole", is_flag=True, help="Show also findings that a sure suggestion resolves."),
+    click.option("--quiet", is_flag=True, help="Show only the numbers of frames and findings."),
+    click.option(
+        "--format",
+        "style",
+        type=click.Choice(tuple(FORMATS)),
+        help="How to show findings (default: text); sarif and github are for continuous integration.",
+    ),
+    click.option("--carrier", type=click.Choice(CARRIERS), help="What carries the frames; a capture says so itself."),
+    click.option(
+        "--explain", "code", metavar="CODE", help=f"Explain a code, with an example; '{ALL_CODES}' lists them."
+    ),
+)
+
+_CI = ("--format=sarif", "--format=github")
+
+
 @click.command()
 @click.argument("names", nargs=-1, metavar="[FRAME|FILE|-]...")
-@json_option
-@click.option("--strict", is_flag=True, help="Count warnings as errors in the exit status.")
-@click.option(
-    "--fix", "fixes", is_flag=True, help="Fix what is certain; print the frame, or a text with its fixed frames."
-)
-@click.option("--no-hints", is_flag=True, help="Show errors and warnings only.")
-@click.option("--errors-only", is_flag=True, help="Show errors only; of many frames, only those that have some.")
-@click.option("--all-findings", "whole", is_flag=True, help="Show also findings that a sure suggestion resolves.")
-@click.option("--quiet", is_flag=True, help="Show only the numbers of frames and findings.")
-@click.option(
-    "--format",
-    "style",
-    type=click.Choice(tuple(FORMATS)),
-    help="How to show findings (default: text); sarif and github are for continuous integration.",
-)
-@click.option("--carrier", type=click.Choice(CARRIERS), help="What carries the frames; a capture says so itself.")
-@click.option("--explain", "code", metavar="CODE", help=f"Explain a code, with an example; '{ALL_CODES}' lists them.")
+@_options
 @reading_options
-def check(
-    names: tuple[str, ...],
-    as_json: bool,
-    strict: bool,
-    fixes: bool,
-    no_hints: bool,
-    errors_only: bool,
-    whole: bool,
-    quiet: bool,
-    style: str | None,
-    carrier: str | None,
-    code: str | None,
-    reading: Options,
-) -> None:
+@exclusive(
+    "--explain",
+    *("--strict", "--fix", "--no-hints", "--errors-only", "--all-findings", "--quiet", "--carrier"),
+    *_CI,
+)
+@exclusive("--strict", "--errors-only")
+@exclusive("--json", "--format!json")
+@exclusive("--quiet", *_CI)
+@exclusive("--fix", *_CI)
+def check(names: tuple[str, ...], options: CheckOptions, reading: Options) -> None:
     """Checks whether the brick accepts a frame, which byte is wrong if not, and how to fix it.
 
     The verdict is the firmware's own, quirks included. Findings say what a careful sender would change: an error will
@@ -312,29 +337,14 @@ def check(
       ev3proto check --errors-only --format github robot.log
       ev3proto check --explain E101
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if code is not None:
+    if options.code is not None:
         if names:
             raise incompatible("--explain", "FRAME")
-        given = given_options("strict", "fixes", "no_hints", "errors_only", "whole", "quiet", "carrier")
-        given += [f"--format {style}"] if style in ("sarif", "github") else []
-        if given:
-            raise incompatible("--explain", ", ".join(given))
-        _explain(code, as_json=as_json or style == "json", dialect=reading.dialect)
+        _explain(options.code, as_json=options.format == "json", dialect=reading.dialect)
         return
-    if strict and errors_only:
-        raise incompatible("--strict", "--errors-only")
-    if as_json and style not in (None, "json"):
-        raise incompatible("--json", f"--format {style}")
-    if quiet and style in ("sarif", "github"):
-        raise incompatible("--quiet", f"--format {style}")
-    if fixes and style in ("sarif", "github"):
-        raise incompatible("--fix", f"--format {style}")
-    hidden = {"hint", "warning"} if errors_only else {"hint"} if no_hints else set()
-    style = style or ("json" if as_json else "text")
-    options = CheckOptions(fixes, strict, carrier, frozenset(hidden), quiet, whole)
-    output = FORMATS[style](reading.dialect)
+    output = FORMATS[options.format](reading.dialect)
     problems = Problems(heard=output.complaint)
-    is_edited = fixes and style == "text" and reading.filter is None and reading.missing is None
+    is_edited = options.fixes and options.format == "text" and reading.filter is None and reading.missing is None
     sources = replace(reading, whole=MOST_EDITED * is_edited, wanted="command")
     checking = Checking(Reading(named(names), sources), options, output, problems)
     checking.run()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.capture.record import Announcement, Record
-from ev3proto.cli.options import incompatible
+from ev3proto.cli.options import exclusive
 from ev3proto.cli.problems import Captured, Problems
 from ev3proto.cli.reading import reading_options
 from ev3proto.cli.recorded import Dialogues, matching, show_announcement, show_record
@@ -125,6 +125,9 @@ class _Decoding:
     "--programs", "as_programs", is_flag=True, help="Show the programs that a capture transfers, not its frames."
 )
 @reading_options
+@exclusive("--dialogues", "--programs")
+@exclusive("--json", "--format!json")
+@exclusive("--dialogues", "--format!json")
 def decode(
     names: tuple[str, ...],
     style: str | None,
@@ -149,13 +152,6 @@ def decode(
       ev3proto decode --programs robot.pcapng
       python3 my_program.py | ev3proto decode --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if as_dialogues and as_programs:
-        raise incompatible("--dialogues", "--programs")
-    if style not in (None, "json"):
-        if as_json:
-            raise incompatible("--json", f"--format {style}")
-        if as_dialogues:
-            raise incompatible("--dialogues", f"--format {style}")
     chosen, options = reading.filter, replace(reading, sources=Sources.NO)
     if as_dialogues:
         options = replace(options, filter=None)

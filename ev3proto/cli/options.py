@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import re
+from collections.abc import Callable
+from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 from click.core import ParameterSource
 
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import DIALECTS
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 class FiniteRange(click.FloatRange):
@@ -77,6 +82,68 @@ tshark_option = click.option("--tshark", metavar="PATH", help="Path of tshark, i
 
 AREA = click.Choice([*AREAS, "system"])
 AREAS_HELP = f"of this area of the firmware: {', '.join(AREAS)}, system."
+
+
+def gathered(kind: type[Any], name: str, *options: Callable[[F], F]) -> Callable[[F], F]:
+    """Returns a decorator that adds options to a command, which gets them as one object.
+
+    Args:
+        kind: A dataclass with a field for each option.
+        name: The argument of the command that is the object.
+        options: Decorators that add one option each, in the order of the help.
+    """
+    names = [field.name for field in fields(kind)]
+
+    def added(command: F) -> F:
+        @functools.wraps(command)
+        def called(*arguments: Any, **others: Any) -> Any:
+            found = kind(**{each: others.pop(each) for each in names})
+            return command(*arguments, **{name: found}, **others)
+
+        for option in reversed(options):
+            option(called)
+        return called  # type: ignore[return-value]
+
+    return added
+
+
+def exclusive(first: str, *others: str, reason: str = "") -> Callable[[F], F]:
+    """Returns a decorator that refuses an option together with others, with a reason where it is not obvious.
+
+    Options are named as they are typed, `--json`; `--format=sarif` means it with this value, and `--format!json` with
+    any other.
+    """
+
+    def added(command: F) -> F:
+        @functools.wraps(command)
+        def called(*arguments: Any, **given: Any) -> Any:
+            one = _typed(first)
+            wrong = [*filter(None, map(_typed, others))] if one else []
+            if wrong:
+                raise incompatible(str(one), ", ".join(wrong), reason)
+            return command(*arguments, **given)
+
+        return called  # type: ignore[return-value]
+
+    return added
+
+
+_OPTION = re.compile(r"(?P<name>[\w-]+)(?:(?P<sign>[=!])(?P<value>.*))?")
+
+
+def _typed(wanted: str) -> str | None:
+    """Returns an option as it was typed on the command line; None if it was not, or with another value."""
+    context, found = click.get_current_context(), _OPTION.fullmatch(wanted)
+    assert found is not None
+    option = next(each for each in context.command.params if found["name"] in (*each.opts, *each.secondary_opts))
+    if context.get_parameter_source(str(option.name)) is not ParameterSource.COMMANDLINE:
+        return None
+    value = context.params.get(str(option.name))
+    if isinstance(value, bool):
+        return found["name"] if value is (found["name"] in option.opts) else None
+    if found["sign"] is None:
+        return found["name"]
+    return f"{found['name']} {value}" if (value == found["value"]) is (found["sign"] == "=") else None
 
 
 def incompatible(first: str, second: str, reason: str = "") -> click.UsageError:

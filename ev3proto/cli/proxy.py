@@ -16,7 +16,7 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
-from ev3proto.cli.options import SerialNumber, dialect_option, incompatible, json_option
+from ev3proto.cli.options import SerialNumber, dialect_option, exclusive, json_option
 from ev3proto.cli.output import Failure, complain, failing_to, flush, refuse_terminal, say, writing_output
 from ev3proto.cli.recorded import Dialogues
 from ev3proto.cli.show import Show
@@ -63,6 +63,7 @@ _LOOPBACK = "127.0.0.1"
 @fault_options
 @json_option
 @dialect_option
+@exclusive("--record=-", "--json", reason="both write to standard output")
 def proxy(
     listen: str,
     target: Target,
@@ -87,8 +88,6 @@ def proxy(
       ev3proto proxy --listen wifi:127.0.0.1:5556 --to wifi --record talk.pcapng
       ev3proto proxy --to usb --record - | wireshark -k -i -
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if record == "-" and as_json:
-        raise incompatible("--record -", "--json", "both write to standard output")
     address, port = _place(listen)
     options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect)
     with ExitStack() as stack:

@@ -11,7 +11,7 @@ import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.record import Record
-from ev3proto.cli.options import Whole, dialect_option, incompatible, tshark_option
+from ev3proto.cli.options import Whole, dialect_option, exclusive, tshark_option
 from ev3proto.cli.output import say
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.words import files
@@ -150,13 +150,11 @@ def reading_options(command: F) -> F:
     """Adds the options for reading to a command, which gets them as one argument, `reading`."""
 
     @functools.wraps(command)
+    @exclusive("--no-length", "--operations")
+    @exclusive("--all", "--engine!builtin")
     def called(*arguments: Any, no_length: bool, only_operations: bool, **others: Any) -> Any:
-        if no_length and only_operations:
-            raise incompatible("--no-length", "--operations")
         names = ("dialect", "ports", "everything", "engine", "tshark", "filter")
         given = {name: others.pop(name) for name in names}
-        if given["everything"] and given["engine"] != BUILTIN:
-            raise incompatible("--all", f"--engine {given['engine']}")
         missing: Missing | None = "length" if no_length else "header" if only_operations else None
         options = Options(missing=missing, memory=others.pop("memory") * MIB, raises=False, **given)
         return command(*arguments, reading=options, **others)

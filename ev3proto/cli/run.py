@@ -26,7 +26,7 @@ from ev3proto.cli.brick import (
     screenshot_option,
     script_option,
 )
-from ev3proto.cli.options import PATH, FiniteRange, incompatible
+from ev3proto.cli.options import PATH, FiniteRange, exclusive
 from ev3proto.cli.output import complain, failing_on, failing_to, flush, is_terminal, say
 from ev3proto.cli.programs import assembled
 from ev3proto.program import check_program
@@ -70,6 +70,7 @@ _KEYS = {
     help="Slot to run it in; LEGO's own self-tests run in the one for debugging.",
 )
 @click.option("--limit", type=FiniteRange(0), metavar="SECONDS", help="End the program after this time.")
+@exclusive("--http", "--limit")
 def run(
     file: Path,
     page: int | None,
@@ -89,8 +90,6 @@ def run(
       ev3proto run hello.lms
       ev3proto run robot.rbf --script robot.toml --http
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if page is not None and limit is not None:
-        raise incompatible("--http", "--limit")
     image = _image(file)
     options = Options(port=None, page=page, screenshot=screenshot, script=read_script_file(script))
     with folder(root) as place:

@@ -9,7 +9,7 @@ from itertools import islice
 
 import click
 
-from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, incompatible
+from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, exclusive
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
@@ -45,6 +45,7 @@ MOST_SEEDS = 1 << 64
     help="Format of the output.",
 )
 @dialect_option
+@exclusive("--accepted", "--mutate")
 def sample(
     count: int,
     seed: int,
@@ -67,8 +68,6 @@ def sample(
       ev3proto sample --op SOUND --op UI_DRAW.LINE --format asm
       ev3proto sample --type system-reply --mutate --format raw | my_decoder
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if accepted and mutate:
-        raise incompatible("--accepted", "--mutate")
     # Hypothesis would write a database, which samples do not need.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
     try:

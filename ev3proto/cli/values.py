@@ -14,7 +14,7 @@ import click
 from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
-from ev3proto.cli.options import FILE, incompatible
+from ev3proto.cli.options import FILE, exclusive
 from ev3proto.cli.output import Failure, complain, put, say, say_json
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
@@ -48,6 +48,8 @@ MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
     metavar="FILE",
     help="Draw numbers over time into this file: .svg or .png.",
 )
+@exclusive("--csv", "--json")
+@exclusive("--plot", "--csv", "--json")
 def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool, plot: Path | None) -> None:
     """Shows values over time: battery, sensors, motors, latencies, mailbox messages.
 
@@ -60,11 +62,7 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if as_csv and as_json:
-        raise incompatible("--csv", "--json")
     form = "csv" if as_csv else "json" if as_json else None
-    if plot is not None and form is not None:
-        raise incompatible("--plot", f"--{form}")
     captures, problems, found = captures_of(files, reading), Problems(Code.NO_MATCH), Series()
     for part in captures.each():
         found.extend(series_of(problems.captured(part), part.label, MOST_CELLS - found.size))

@@ -1,4 +1,4 @@
-"""Lua values in a readable layout: on one line if they fit, else one entry a line."""
+"""Lua values: a table is on one line, `Rows` have a line each."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-WIDTH = 120
 INDENT = "    "
 
 
@@ -33,7 +32,14 @@ class Table:
         for item in self.items:
             yield "", item
         for key, value in self.named.items():
-            yield (f"{key} = " if isinstance(key, str) else f"[{key}] = "), value
+            is_name = isinstance(key, str) and not isinstance(key, Name)
+            yield (f"{key} = " if is_name else f"[{key}] = "), value
+
+
+class Rows(Table):
+    """A table with one entry a line."""
+
+    __slots__ = ()
 
 
 class Source(Table):
@@ -52,11 +58,16 @@ def hexadecimal(number: int) -> Name:
     return Name(f"0x{number:02X}")
 
 
-def literal(value: object, depth: int = 0, used: int = 0) -> str:
+def literal(value: object, depth: int = 0) -> str:
     """Writes a whole number, a text, a truth value, a `Name` or a `Table` as Lua, at a depth of indentation."""
-    if isinstance(value, Table):
-        return _table(value, depth, used)
-    return _scalar(value)
+    if not isinstance(value, Table):
+        return _scalar(value)
+    first, last = value.brackets
+    pieces = [head + literal(inner, depth + 1) for head, inner in value.entries()]
+    if isinstance(value, Rows):
+        rows = "".join(f"{INDENT * (depth + 1)}{piece},\n" for piece in pieces)
+        return f"{first}\n{rows}{INDENT * depth}{last}"
+    return f"{first} {', '.join(pieces)} {last}" if pieces else first + last
 
 
 def _scalar(value: object) -> str:
@@ -76,39 +87,3 @@ _ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\0": "\\0"}
 
 def _quoted(text: str) -> str:
     return '"' + "".join(_ESCAPES.get(letter, letter) for letter in text) + '"'
-
-
-def _on_one_line(table: Table) -> str:
-    pieces = [
-        head + (_on_one_line(value) if isinstance(value, Table) else _scalar(value)) for head, value in table.entries()
-    ]
-    first, last = table.brackets
-    return f"{first} {', '.join(pieces)} {last}" if pieces else first + last
-
-
-def _table(table: Table, depth: int, used: int) -> str:
-    line = _on_one_line(table)
-    if used + len(line) <= WIDTH:
-        return line
-    first, last = table.brackets
-    return f"{first}\n" + "".join(f"{row}\n" for row in _rows(table, depth + 1)) + INDENT * depth + last
-
-
-def _rows(table: Table, depth: int) -> Iterator[str]:
-    """Yields the lines inside a long table: plain values fill lines, each table has its own."""
-    margin = INDENT * depth
-    row = margin
-    for head, value in table.entries():
-        if isinstance(value, Table):
-            if row.strip():
-                yield row.rstrip()
-                row = margin
-            yield margin + head + literal(value, depth, len(margin + head) + 1) + ","
-            continue
-        piece = f"{head}{_scalar(value)},"
-        if row.strip() and len(row) + len(piece) > WIDTH:
-            yield row.rstrip()
-            row = margin
-        row += piece + " "
-    if row.strip():
-        yield row.rstrip()

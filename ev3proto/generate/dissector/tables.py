@@ -9,7 +9,7 @@ from typing import Any
 from construct.core import SizeofError
 
 from ev3proto.checking.codes import NO_MEMBER, OUT_OF_RANGE
-from ev3proto.generate.dissector.lua import Name, Source, Table, hexadecimal, literal
+from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
@@ -75,8 +75,7 @@ def _heading(title: str, text: str) -> str:
 
 
 def _assign(name: str, value: object) -> str:
-    head = f"local {name} = "
-    return f"{head}{literal(value, used=len(head))}\n"
+    return f"local {name} = {literal(value)}\n"
 
 
 def _words() -> Iterator[str]:
@@ -112,18 +111,18 @@ def _frames() -> Iterator[str]:
     yield _assign("LOCAL_MASK", Name(f"0x{frame.MAX_LOCALS << frame.GLOBAL_BITS:04X}"))
     yield _assign("REPORT_SIZES", Table(named=dict(zip(frame.REPORT_SIZES, ("daisy", "computer"), strict=True))))
     yield "\n"
-    yield "local MESSAGE_TYPES = {\n"
+    types: dict[Any, object] = {}
     for member in MessageType:
         facts: dict[Any, object] = {"name": member.name, "carries": member.carries}
         facts |= {name: True for name in ("is_command", "wants_reply", "is_error") if getattr(member, name)}
-        yield f"    [{hexadecimal(member)}] = {literal(Table(named=facts), 1, 13)},\n"
-    yield "}\n"
+        types[hexadecimal(member)] = Table(named=facts)
+    yield _assign("MESSAGE_TYPES", Rows(named=types))
     yield "local NAMES = { message_types = {}, opcodes = {}, system_commands = {} }\n"
     yield "for number, declared in pairs(MESSAGE_TYPES) do\n    NAMES.message_types[number] = declared.name\nend\n\n"
 
 
 def _encodings() -> Iterator[str]:
-    yield "local ENCODING_ROWS = {\n"
+    rows = []
     for first, last, encoding, value in IDENTIFICATIONS:
         named: dict[Any, object] = {name: True for name in ("handle", "address") if getattr(encoding, name)}
         if value is not None:
@@ -131,21 +130,20 @@ def _encodings() -> Iterator[str]:
         row = [hexadecimal(first), hexadecimal(last), encoding.name, ENCODING_KINDS[encoding.kind]]
         if encoding.width is not None:
             row.append(Name(encoding.width))
-        yield f"    {literal(Table(row, named))},\n"
-    yield "}\n\n"
+        rows.append(Table(row, named))
+    yield f"{_assign('ENCODING_ROWS', Rows(rows))}\n"
 
 
 def _enumerations() -> Iterator[str]:
-    yield "local ENUMERATIONS = {\n"
+    listed: dict[Any, object] = {}
     for enum in _used_enumerations():
         names: dict[Any, object] = {}
         for name, number in enum.members.items():
             names.setdefault(number, name)
         facts: dict[Any, object] = {"is_flags": True} if enum.flags else {}
         facts["names"] = Table(named=names)
-        head = f"{enum.name} = "
-        yield f"    {head}{literal(Table(named=facts), 1, 5 + len(head))},\n"
-    yield "}\n\n"
+        listed[enum.name] = Table(named=facts)
+    yield f"{_assign('ENUMERATIONS', Rows(named=listed))}\n"
     yield "-- The types of values by DATA_FORMAT.\n"
     yield _assign("FORMAT_TYPES", Table(named={code: TYPES[kind] for code, kind in enumerations.FORMAT_TYPES.items()}))
     yield "\n"
@@ -162,10 +160,7 @@ def _used_enumerations() -> list[Enumeration]:
 
 
 def _operations() -> Iterator[str]:
-    yield "local OPERATIONS = {\n"
-    for opcode in OPCODES:
-        yield f"    {literal(_opcode(opcode), 1, 5)},\n"
-    yield "}\n"
+    yield _assign("OPERATIONS", Rows([_opcode(opcode) for opcode in OPCODES]))
     yield "for _, row in ipairs(OPERATIONS) do\n    NAMES.opcodes[row[1]] = NAMES.opcodes[row[1]] or row[2]\nend\n\n"
 
 
@@ -173,7 +168,7 @@ def _opcode(opcode: Opcode) -> Table:
     named = _dialects(opcode)
     row: list[object] = [hexadecimal(opcode.number), opcode.name, opcode.text]
     if opcode.is_family:
-        named["commands"] = Table([_command(command) for command in opcode.commands])
+        named["commands"] = Rows([_command(command) for command in opcode.commands])
     else:
         row.append(_parameters(opcode))
     return Table(row, named)
@@ -253,10 +248,7 @@ def _type(parameter: Parameter) -> Name:
 
 
 def _system() -> Iterator[str]:
-    yield "local SYSTEM = {\n"
-    for command in SYSTEM:
-        yield f"    {literal(_system_command(command), 1, 5)},\n"
-    yield "}\n"
+    yield _assign("SYSTEM", Rows([_system_command(command) for command in SYSTEM]))
     yield "for _, row in ipairs(SYSTEM) do\n    NAMES.system_commands[row[1]] = row[2]\nend\n\n"
     statuses: dict[Any, object] = {
         "names": Table(named={status.value: status.name for status in SystemStatus}),

@@ -840,6 +840,46 @@ local gives_bytes = false
 -- The brick of the current packet, if there is a tree.
 local brick
 
+-- Returns the text of a hardware or IP address. Wireshark's own has a name where it knows one, as of LEGO's block, and
+-- has no other access to the bytes: they are found by comparing.
+local plain_address
+do
+    local KINDS = {
+        { make = Address.ether, parts = 6, form = "%02x", between = ":" },
+        { make = Address.ip, parts = 4, form = "%d", between = "." },
+    }
+    local known = {}
+
+    local function found(address, kind)
+        local bytes = {}
+        local function is_reached(index, value)
+            bytes[index] = format(kind.form, value)
+            return kind.make(concat(bytes, kind.between)) <= address
+        end
+        for index = 1, kind.parts do
+            bytes[index] = format(kind.form, 0)
+        end
+        if not is_reached(1, 0) then return nil end
+        for index = 1, kind.parts do
+            local value = 0
+            for bit = 7, 0, -1 do
+                if is_reached(index, value + 2 ^ bit) then value = value + 2 ^ bit end
+            end
+            is_reached(index, value)
+        end
+        local text = concat(bytes, kind.between)
+        return kind.make(text) == address and text
+    end
+
+    function plain_address(address)
+        local shown = tostring(address)
+        if not known[shown] then
+            known[shown] = find(shown, "^[%x:%.]*$") and shown or found(address, KINDS[1]) or found(address, KINDS[2])
+        end
+        return known[shown] or shown
+    end
+end
+
 -- Adds the item of a frame, or of a text around frames. Without `said` its text comes later.
 local add_item
 do
@@ -3514,7 +3554,7 @@ do
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
     -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
-        local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
+        local from, to, channel = plain_address(pinfo.dl_src), plain_address(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local ends = from < to and from .. " " .. to or to .. " " .. from
         local conversation = dialogues.conversation_of(ends .. " " .. channel)
         conversation.sides = conversation.sides or {}
@@ -3690,7 +3730,7 @@ do
         local packet = packets[number]
         if not packet then return 0 end
         local is_shown, size, before = has_tree(tree), #piece, packet.before
-        brick = is_shown and tostring(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
+        brick = is_shown and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
         -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then
@@ -3941,7 +3981,7 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name, conversation.address, conversation.port = tostring(address) .. ":" .. port, address, port
+        conversation.name, conversation.address, conversation.port = plain_address(address) .. ":" .. port, address, port
     end
 
     local dissect_first
@@ -4078,7 +4118,7 @@ do
     do
         local function remember_brick(pinfo, named)
             local address = pinfo.src
-            local name = tostring(address) .. ":" .. (named or pinfo.src_port)
+            local name = plain_address(address) .. ":" .. (named or pinfo.src_port)
             add_entry(bricks, address, 0, name)
             if named then add_entry(announced, address, named, name) end
         end
@@ -4110,7 +4150,7 @@ do
             end
             local said = "beacon: " .. concat(values, " ")
             if item then item:set_text("EV3: " .. said) end
-            if item and port then item:add(field.brick, tostring(pinfo.src) .. ":" .. port):set_generated() end
+            if item and port then item:add(field.brick, plain_address(pinfo.src) .. ":" .. port):set_generated() end
             return said, port
         end
 

@@ -43,7 +43,7 @@ from making.dialogue import CONTENTS, Exchange, Host
 from making.directory import FOUND, SEARCH, Sdp
 from making.files import Record, Wire
 
-ADDRESS = "06:16:53:00:00:0a"
+ADDRESS = "00:16:53:00:00:0a"
 CONNECTION = 0x00B
 SDP, RFCOMM = 1, 3
 SIGNALS = 1

@@ -20,7 +20,7 @@ do
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
     -- started after the connection has no addresses, but usually the direction.
     local function channel_of(pinfo)
-        local from, to, channel = tostring(pinfo.dl_src), tostring(pinfo.dl_dst), floor(pinfo.match_uint / 2)
+        local from, to, channel = plain_address(pinfo.dl_src), plain_address(pinfo.dl_dst), floor(pinfo.match_uint / 2)
         local ends = from < to and from .. " " .. to or to .. " " .. from
         local conversation = dialogues.conversation_of(ends .. " " .. channel)
         conversation.sides = conversation.sides or {}
@@ -196,7 +196,7 @@ do
         local packet = packets[number]
         if not packet then return 0 end
         local is_shown, size, before = has_tree(tree), #piece, packet.before
-        brick = is_shown and tostring(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
+        brick = is_shown and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
         -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then

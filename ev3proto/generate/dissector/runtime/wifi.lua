@@ -198,7 +198,7 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name, conversation.address, conversation.port = tostring(address) .. ":" .. port, address, port
+        conversation.name, conversation.address, conversation.port = plain_address(address) .. ":" .. port, address, port
     end
 
     local dissect_first
@@ -335,7 +335,7 @@ do
     do
         local function remember_brick(pinfo, named)
             local address = pinfo.src
-            local name = tostring(address) .. ":" .. (named or pinfo.src_port)
+            local name = plain_address(address) .. ":" .. (named or pinfo.src_port)
             add_entry(bricks, address, 0, name)
             if named then add_entry(announced, address, named, name) end
         end
@@ -367,7 +367,7 @@ do
             end
             local said = "beacon: " .. concat(values, " ")
             if item then item:set_text("EV3: " .. said) end
-            if item and port then item:add(field.brick, tostring(pinfo.src) .. ":" .. port):set_generated() end
+            if item and port then item:add(field.brick, plain_address(pinfo.src) .. ":" .. port):set_generated() end
             return said, port
         end
 

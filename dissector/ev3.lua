@@ -12,6 +12,12 @@ set_plugin_info({
     author = "the ev3proto authors",
 })
 
+local is_first, ev3 = pcall(Proto, "EV3", "LEGO MINDSTORMS EV3")
+if not is_first then
+    io.stderr:write("ev3.lua is loaded already; this copy is ignored: ", debug.getinfo(1, "S").short_src, "\n")
+    return
+end
+
 -- Words --------------------------------------------------------------------------------------------------------------
 --
 -- The vocabulary of the tables below.
@@ -766,8 +772,6 @@ local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protoc
 local byte, find, format, gsub, sub = string.byte, string.find, string.format, string.gsub, string.sub
 local concat, floor = table.concat, math.floor
 
-local ev3 = Proto("EV3", "LEGO MINDSTORMS EV3")
-
 -- The same for Decode As, without the rule of Claims below.
 local ev3_all = Proto("EV3_all", "EV3 (all of it)")
 
@@ -1227,6 +1231,8 @@ local reading = {}
 do
     local unpack = Struct.unpack
 
+    local NAN = unpack("<f", "\0\0\192\127")
+
     -- Functions that read a number at an offset, nil if the text ends too early. Most numbers are bytes and words,
     -- which are read faster without Struct.
     local function unsigned8(text, at)
@@ -1259,8 +1265,8 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All NaNs look the same.
-        return value == value and value or 0 / 0
+        -- All NaNs look the same, also where the machine's own would be printed as -nan.
+        return value == value and value or NAN
     end
 
     local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }
@@ -2637,7 +2643,10 @@ do
         pieces[#pieces + 1] = said
     end
 
-    function show(pinfo)
+    function show(pinfo, tvb, tree)
+        -- The protocol hierarchy counts items; before 4.6 has_tree does not tell. If there is a tree, Wireshark's own
+        -- item for Lua is hidden.
+        if tree.hidden and not has_tree(tree) then tree:add(ev3, tvb) end
         local columns, count = pinfo.cols, #pieces
         columns.protocol = "EV3"
         if count == shown then return end
@@ -2677,12 +2686,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    if is_shown then
-        storage.free_unused()
-    elseif pinfo.visited then
-        -- The protocol hierarchy of Wireshark's window counts items; before 4.6 has_tree does not tell.
-        tree:add(ev3, tvb(at, message.stop))
-    end
+    if is_shown then storage.free_unused() end
     return line, item
 end
 
@@ -3440,7 +3444,7 @@ do
         end
         start_line(number, offset)
         say(said)
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return captured
     end
 
@@ -3450,7 +3454,7 @@ do
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
         say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return captured
     end
 
@@ -3766,7 +3770,7 @@ do
             if is_shown then add_part(tree, tvb, size, packet) end
             say("part of a frame")
         end
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return #piece
     end
 
@@ -3965,7 +3969,7 @@ do
                 end
             end
             if known then claiming.count(conversation, lost, number) end
-            show(pinfo)
+            show(pinfo, tvb, tree)
             return captured
         end
     end
@@ -4186,7 +4190,7 @@ do
             end
             start_line(number, tvb:offset())
             say(said)
-            show(pinfo)
+            show(pinfo, tvb, tree)
             return tvb:len()
         end
     end

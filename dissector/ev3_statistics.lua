@@ -10,6 +10,12 @@ set_plugin_info({
     author = "the ev3proto authors",
 })
 
+local is_first, script = pcall(Proto, "EV3_statistics", "EV3 statistics")
+if not is_first then
+    io.stderr:write("ev3_statistics.lua is loaded already; this copy is ignored: ", debug.getinfo(1, "S").short_src, "\n")
+    return
+end
+
 -- Statistics of a capture by operation and by brick, and the transferred files. Wireshark shows them in windows; tshark
 -- prints them at the end of a run if the preferences ask for it.
 --
@@ -24,8 +30,6 @@ local concat = table.concat
 local MOST_NAME, MOST_EXTENSION = 100, 25
 -- Maximum width of a column, in characters.
 local MOST_WIDTH = 60
-
-local script = Proto("EV3_statistics", "EV3 statistics")
 
 script.prefs.print = Pref.bool("Print at the end", false, "Print statistics at the end of a run of tshark")
 script.prefs.export = Pref.string("Export folder", "", "Folder for transferred files, written by tshark")

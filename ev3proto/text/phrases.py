@@ -22,6 +22,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.frame import parse
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.mailboxes import Reading
@@ -96,8 +97,17 @@ def command_name(message: SystemCommand | SystemReply | DaisyCommand) -> str:
     return message.command or f"0x{message.number:02X}"
 
 
+def lacks_status(message: Message) -> bool:
+    """Returns whether a frame is a system reply that ends before the status."""
+    fault = message.fault
+    is_short = fault is not None and fault.truncated and fault.offset <= HEADER_SIZE + 1
+    return is_short and isinstance(message, SystemReply)
+
+
 def status_name(message: SystemReply) -> str:
-    """Returns `SUCCESS`, or `status 99` for a status without a name."""
+    """Returns `SUCCESS`, `status 99` for a status without a name, or `no status` for a frame that ends before it."""
+    if lacks_status(message):
+        return "no status"
     return f"status {message.status_code}" if message.status is None else message.status.name
 
 
@@ -191,7 +201,9 @@ def heading(exchange: Exchange, seen: Seen) -> Spans:
 def _what(exchange: Exchange) -> Spans:
     message = exchange.message
     line: Spans = []
-    if isinstance(message, SystemCommand | SystemReply | DaisyCommand):
+    if lacks_status(message):
+        line.append((": no status", Role.FAULT))
+    elif isinstance(message, SystemCommand | SystemReply | DaisyCommand):
         line += [(": ", Role.PLAIN), (command_name(message), Role.OPERATION)]
         if isinstance(message, SystemReply):
             line.append((f" {status_name(message)}", Role.FAULT if message.is_error else Role.VALUE))

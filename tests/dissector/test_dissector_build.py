@@ -14,6 +14,7 @@ import pytest
 from support.cli import run_ev3proto, run_program
 from support.wireshark import DISSECTOR, Tshark
 
+from ev3proto.generate.dissector.build import files
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
@@ -306,3 +307,23 @@ def test_what_the_readme_says_of_channels(tshark: Tshark) -> None:
     assert tshark.run(begun_late, "-Y", "ev3") == ""
     form = ["-Y", "ev3.cmd", "-T", "fields", "-e", "ev3.cmd"]
     assert tshark.run(begun_late, *found[1].split(), *form) == tshark.run(whole, *form) != ""
+
+
+def test_a_second_copy_is_ignored(tshark: Tshark) -> None:
+    """As with a copy in the global plugins folder, and another in the personal one."""
+    copies = [tshark.place(data.encode(), f"{index}-{name}") for index in "12" for name, data in files().items()]
+    words = [word for path in copies for word in ("-X", f"lua_script:{path}")]
+    path = tshark.place((CAPTURES / "wifi.pcapng").read_bytes(), "wifi.pcapng")
+    done = subprocess.run([tshark.program, *words, "-r", path, "-c", "1"], capture_output=True, text=True, check=True)
+    said = [line for line in done.stderr.splitlines() if ".lua" in line or "Lua" in line]
+    assert said == [
+        f"ev3.lua is loaded already; this copy is ignored: {copies[2]}",
+        f"ev3_statistics.lua is loaded already; this copy is ignored: {copies[3]}",
+    ]
+    assert "EV3 111 beacon" in done.stdout
+
+
+def test_the_protocol_hierarchy_counts_us_in_one_pass(tshark: Tshark) -> None:
+    shown = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-z", "io,phs")
+    assert re.search(r"^ +ev3 +frames:3 bytes:265$", shown, re.MULTILINE)
+    assert re.search(r"^ +ev3 +frames:41 bytes:8181$", shown, re.MULTILINE)

@@ -860,3 +860,16 @@ def test_constants_are_judged_as_by_check(tshark: Tshark) -> None:
         told = sorted(text for text in line.split("~") if text.endswith(tuple(f"({code})" for code in codes)))
         found = [each for each in ev3proto.check(frame).findings if each.code in codes]
         assert told == sorted(f"{each.message} ({each.code})" for each in found), frame.hex(" ")
+
+
+def test_nan_has_one_form(tshark: Tshark) -> None:
+    """The machine prints one of these bit patterns as -nan."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    for number, pattern in enumerate(("0000C07F", "0000C0FF", "FFFFFFFF")):
+        connection.send(bytes.fromhex(f"0800 {number:02X}00 00 0400 81 01 60"))
+        connection.receive(bytes.fromhex(f"0700 {number:02X}00 02 {pattern}"))
+    path = tshark.place(capture.data(), "nan.pcap")
+    shown = tshark.run(path, "-Y", "ev3.answers", "-T", "fields", "-e", "ev3.ui_read.get_vbatt.value")
+    assert shown.split() == ["nan"] * 3

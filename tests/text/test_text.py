@@ -298,3 +298,10 @@ def test_the_memory_of_a_lone_reply_has_the_readings_that_fit(memory: str, meani
     data = bytes.fromhex(memory)
     frame = (3 + len(data)).to_bytes(2, "little") + b"\x2a\x00\x02" + data
     assert shown(frame)[-1] == f"     5  global memory: {memory}  {meaning}"
+
+
+def test_a_reply_that_ends_before_its_status_has_none() -> None:
+    lines = [
+        plain_text(line) for line in tree(Dialogue().follow(parse(bytes.fromhex("040052db039b"), strict=False)), Seen())
+    ]
+    assert lines[0] == "SYSTEM_REPLY, counter 56146, 6 bytes: no status (the command it answers was not seen)"

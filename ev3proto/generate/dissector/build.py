@@ -35,6 +35,19 @@ Each carrier has one, with its name.
 
 _MADE_BY = f"This file is made by ev3proto {VERSION}"
 
+
+def _proto(variable: str, name: str, title: str, file: str) -> str:
+    """Returns the Lua that makes a protocol. A second copy of a file, as in the global plugins folder, ends there."""
+    return f"""\
+local is_first, {variable} = pcall(Proto, "{name}", "{title}")
+if not is_first then
+    io.stderr:write("{file} is loaded already; this copy is ignored: ", debug.getinfo(1, "S").short_src, "\\n")
+    return
+end
+
+"""
+
+
 HEAD = f"""\
 -- LEGO MINDSTORMS EV3 dissector for Wireshark 4.0 and later (Lua 5.2 and 5.4). Licence: MIT.
 --
@@ -50,7 +63,7 @@ set_plugin_info({{
     author = "the ev3proto authors",
 }})
 
-"""
+{_proto("ev3", "EV3", "LEGO MINDSTORMS EV3", FILE_NAME)}"""
 
 STATISTICS_HEAD = f"""\
 -- Statistics and export of files for the LEGO MINDSTORMS EV3 dissector, ev3.lua. Licence: MIT.
@@ -65,7 +78,7 @@ set_plugin_info({{
     author = "the ev3proto authors",
 }})
 
-"""
+{_proto("script", "EV3_statistics", "EV3 statistics", STATISTICS_NAME)}"""
 
 
 def build() -> str:

@@ -232,7 +232,7 @@ do
             if is_shown then add_part(tree, tvb, size, packet) end
             say("part of a frame")
         end
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return #piece
     end
 

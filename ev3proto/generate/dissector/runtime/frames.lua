@@ -30,7 +30,10 @@ do
         pieces[#pieces + 1] = said
     end
 
-    function show(pinfo)
+    function show(pinfo, tvb, tree)
+        -- The protocol hierarchy counts items; before 4.6 has_tree does not tell. If there is a tree, Wireshark's own
+        -- item for Lua is hidden.
+        if tree.hidden and not has_tree(tree) then tree:add(ev3, tvb) end
         local columns, count = pinfo.cols, #pieces
         columns.protocol = "EV3"
         if count == shown then return end
@@ -70,12 +73,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    if is_shown then
-        storage.free_unused()
-    elseif pinfo.visited then
-        -- The protocol hierarchy of Wireshark's window counts items; before 4.6 has_tree does not tell.
-        tree:add(ev3, tvb(at, message.stop))
-    end
+    if is_shown then storage.free_unused() end
     return line, item
 end
 

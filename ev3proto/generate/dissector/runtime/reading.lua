@@ -7,6 +7,8 @@ local reading = {}
 do
     local unpack = Struct.unpack
 
+    local NAN = unpack("<f", "\0\0\192\127")
+
     -- Functions that read a number at an offset, nil if the text ends too early. Most numbers are bytes and words,
     -- which are read faster without Struct.
     local function unsigned8(text, at)
@@ -39,8 +41,8 @@ do
     local function single(text, at)
         if at + 4 > #text then return nil end
         local value = unpack("<f", text, at + 1)
-        -- All NaNs look the same.
-        return value == value and value or 0 / 0
+        -- All NaNs look the same, also where the machine's own would be printed as -nan.
+        return value == value and value or NAN
     end
 
     local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }

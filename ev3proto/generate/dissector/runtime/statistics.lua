@@ -13,8 +13,6 @@ local MOST_NAME, MOST_EXTENSION = 100, 25
 -- Maximum width of a column, in characters.
 local MOST_WIDTH = 60
 
-local script = Proto("EV3_statistics", "EV3 statistics")
-
 script.prefs.print = Pref.bool("Print at the end", false, "Print statistics at the end of a run of tshark")
 script.prefs.export = Pref.string("Export folder", "", "Folder for transferred files, written by tshark")
 

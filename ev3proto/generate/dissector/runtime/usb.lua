@@ -73,7 +73,7 @@ do
         end
         start_line(number, offset)
         say(said)
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return captured
     end
 
@@ -83,7 +83,7 @@ do
         brick = device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
         say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
-        show(pinfo)
+        show(pinfo, tvb, tree)
         return captured
     end
 

@@ -182,7 +182,7 @@ do
                 end
             end
             if known then claiming.count(conversation, lost, number) end
-            show(pinfo)
+            show(pinfo, tvb, tree)
             return captured
         end
     end
@@ -403,7 +403,7 @@ do
             end
             start_line(number, tvb:offset())
             say(said)
-            show(pinfo)
+            show(pinfo, tvb, tree)
             return tvb:len()
         end
     end

@@ -764,6 +764,83 @@ local CARRIERS = { usb_products = { 0x06940005, 0x06940006 }, rfcomm_channel = 1
 -- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.
 local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()", "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()" }, request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n", starts = { [71] = true, [65] = true } }
 
+-- Names for filters --------------------------------------------------------------------------------------------------
+--
+-- Fields, besides those of parameters and system messages, and expert information.
+
+local field = {
+    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all bytes of a frame, or of a text between frames"),
+    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from"),
+    length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
+    counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil, "chosen by the sender, echoed in the reply"),
+    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
+    memory_sizes = ProtoField.uint16("ev3.vars", "Requested memory", base.HEX),
+    globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK, "bytes of the reply's payload"),
+    locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
+    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, NAMES.opcodes),
+    cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
+    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
+    variable = ProtoField.string("ev3.argument.variable", "Variable", "the variable that is used as an argument, such as GV(0)"),
+    other = ProtoField.string("ev3.argument.value", "Value", "a constant whose type differs from its parameter's"),
+    memory = ProtoField.bytes("ev3.memory", "Global memory"),
+    answers = ProtoField.string("ev3.answers", "Answers", "the operation that these values of a reply belong to, such as UI_READ.GET_VBATT"),
+    list = ProtoField.none("ev3.values", "Values"),
+    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
+    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
+    message_text = ProtoField.string("ev3.payload.text", "Text", "a mailbox's message as text"),
+    message_number = ProtoField.float("ev3.payload.number", "Number", "a mailbox's message as a number"),
+    message_logic = ProtoField.bool("ev3.payload.logic", "Logic", base.NONE, nil, 0, "a mailbox's message as true or false"),
+    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
+    layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
+    layer_to = ProtoField.uint8("ev3.daisy.layer_to", "To layer"),
+    daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
+    rest = ProtoField.bytes("ev3.rest", "Not read", base.SPACE, "bytes that could not be read"),
+    padding = ProtoField.bytes("ev3.padding", "Padding", base.SPACE, "the unused rest of a USB report"),
+    fragment = ProtoField.bytes("ev3.fragment", "Part of a frame", base.SPACE),
+    fragment_of = ProtoField.framenum("ev3.fragment_of", "Frame complete in"),
+    fragments = ProtoField.framenum("ev3.fragments", "Began in"),
+    response_in = ProtoField.framenum("ev3.response_in", "Response in", base.NONE, frametype.RESPONSE),
+    request_in = ProtoField.framenum("ev3.request_in", "Request in", base.NONE, frametype.REQUEST),
+    response_time = ProtoField.relative_time("ev3.response_time", "Response time"),
+    transfer_path = ProtoField.string("ev3.transfer.path", "File"),
+    transfer_done = ProtoField.uint32("ev3.transfer.done", "Transferred", base.UNIT_STRING, { " byte", " bytes" }),
+    transfer_size = ProtoField.uint32("ev3.transfer.size", "Size", base.UNIT_STRING, { " byte", " bytes" }),
+    beacon_answer = ProtoField.bytes("ev3.beacon.answer", "Answer to a beacon", base.SPACE),
+    unlock = ProtoField.string("ev3.unlock", "Unlock"),
+    unlock_serial = ProtoField.string("ev3.unlock.serial", "Serial number"),
+    accept = ProtoField.string("ev3.accept", "Accept"),
+    beacon_serial = ProtoField.string("ev3.beacon.serial", "Serial-Number"),
+    beacon_port = ProtoField.string("ev3.beacon.port", "Port"),
+    beacon_name = ProtoField.string("ev3.beacon.name", "Name"),
+    beacon_protocol = ProtoField.string("ev3.beacon.protocol", "Protocol"),
+    daisy_layer = ProtoField.uint8("ev3.daisy.layer", "layer"),
+    daisy_port = ProtoField.uint8("ev3.daisy.port", "port"),
+    daisy_status = ProtoField.uint8("ev3.daisy.status", "status"),
+    daisy_type = ProtoField.uint8("ev3.daisy.type", "type"),
+    daisy_mode = ProtoField.uint8("ev3.daisy.mode", "mode"),
+    daisy_data = ProtoField.bytes("ev3.daisy.data", "data"),
+    daisy_checksum = ProtoField.uint8("ev3.daisy.checksum", "checksum"),
+    daisy_busy = ProtoField.bytes("ev3.daisy.busy", "busy"),
+}
+local experts = {
+    fault = ProtoExpert.new("ev3.expert.fault", "Faulty frame", expert.group.MALFORMED, expert.severity.ERROR),
+    unknown_opcode = ProtoExpert.new("ev3.expert.unknown_opcode", "Unknown opcode", expert.group.MALFORMED, expert.severity.ERROR),
+    unknown_cmd = ProtoExpert.new("ev3.expert.unknown_cmd", "Unknown CMD", expert.group.MALFORMED, expert.severity.ERROR),
+    cut_off = ProtoExpert.new("ev3.expert.cut_off", "Cut off", expert.group.MALFORMED, expert.severity.ERROR),
+    cut_by_capture = ProtoExpert.new("ev3.expert.cut_by_capture", "Cut by the capture", expert.group.UNDECODED, expert.severity.NOTE),
+    misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable", expert.group.PROTOCOL, expert.severity.ERROR),
+    beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the requested memory", expert.group.PROTOCOL, expert.severity.WARN),
+    refused = ProtoExpert.new("ev3.expert.refused", "Argument that the brick refuses", expert.group.PROTOCOL, expert.severity.ERROR),
+    misread = ProtoExpert.new("ev3.expert.misread", "Value that the brick reads otherwise, or that is not documented", expert.group.PROTOCOL, expert.severity.WARN),
+    no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "No frame starts here", expert.group.MALFORMED, expert.severity.ERROR),
+    error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
+    failed = ProtoExpert.new("ev3.expert.failed", "The command failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
+    orphan = ProtoExpert.new("ev3.expert.orphan", "The command that this reply answers was not seen", expert.group.SEQUENCE, expert.severity.NOTE),
+    unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen", expert.group.SEQUENCE, expert.severity.NOTE),
+    unsure = ProtoExpert.new("ev3.expert.unsure", "The pairing is unsure", expert.group.SEQUENCE, expert.severity.NOTE),
+    bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3", expert.group.PROTOCOL, expert.severity.ERROR),
+}
+
 -- Fields ------------------------------------------------------------------------------------------------------------
 --
 -- Every value in a frame is a field for filters. Fields of operations have the firmware's names:
@@ -776,63 +853,6 @@ local concat, floor = table.concat, math.floor
 local ev3_all = Proto("EV3_all", "EV3 (all of it)")
 
 local fields = {}
-
-local field = {
-    bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all bytes of a frame, or of a text between frames"),
-    brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from"),
-    length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
-    counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil,
-        "chosen by the sender, echoed in the reply"),
-    type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
-    memory_sizes = ProtoField.uint16("ev3.vars", "Requested memory", base.HEX),
-    globals = ProtoField.uint16("ev3.globals", "Global memory", base.UNIT_STRING, { " byte", " bytes" }, GLOBAL_MASK,
-        "bytes of the reply's payload"),
-    locals = ProtoField.uint16("ev3.locals", "Local memory", base.UNIT_STRING, { " byte", " bytes" }, LOCAL_MASK),
-
-    opcode = ProtoField.uint8("ev3.op", "Opcode", base.HEX, NAMES.opcodes),
-    cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
-    encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
-    variable = ProtoField.string("ev3.argument.variable", "Variable",
-        "the variable that is used as an argument, such as GV(0)"),
-    other = ProtoField.string("ev3.argument.value", "Value",
-        "a constant whose type differs from its parameter's"),
-
-    memory = ProtoField.bytes("ev3.memory", "Global memory"),
-    answers = ProtoField.string("ev3.answers", "Answers",
-        "the operation that these values of a reply belong to, such as UI_READ.GET_VBATT"),
-    list = ProtoField.none("ev3.values", "Values"),
-
-    system_command = ProtoField.uint8("ev3.sys_cmd", "System command", base.HEX, NAMES.system_commands),
-    status = ProtoField.uint8("ev3.reply_status", "Status", base.HEX, STATUS.names),
-
-    message_text = ProtoField.string("ev3.payload.text", "Text", "a mailbox's message as text"),
-    message_number = ProtoField.float("ev3.payload.number", "Number", "a mailbox's message as a number"),
-    message_logic = ProtoField.bool("ev3.payload.logic", "Logic", base.NONE, nil, 0,
-        "a mailbox's message as true or false"),
-
-    daisy_command = ProtoField.uint8("ev3.daisy.command", "Sub-command", base.HEX, DAISY.names),
-    layer_from = ProtoField.uint8("ev3.daisy.layer_from", "From layer"),
-    layer_to = ProtoField.uint8("ev3.daisy.layer_to", "To layer"),
-    daisy_payload = ProtoField.bytes("ev3.daisy.payload", "Payload"),
-
-    rest = ProtoField.bytes("ev3.rest", "Not read", base.SPACE, "bytes that could not be read"),
-    padding = ProtoField.bytes("ev3.padding", "Padding", base.SPACE, "the unused rest of a USB report"),
-    fragment = ProtoField.bytes("ev3.fragment", "Part of a frame", base.SPACE),
-    fragment_of = ProtoField.framenum("ev3.fragment_of", "Frame complete in"),
-    fragments = ProtoField.framenum("ev3.fragments", "Began in"),
-
-    response_in = ProtoField.framenum("ev3.response_in", "Response in", base.NONE, frametype.RESPONSE),
-    request_in = ProtoField.framenum("ev3.request_in", "Request in", base.NONE, frametype.REQUEST),
-    response_time = ProtoField.relative_time("ev3.response_time", "Response time"),
-    transfer_path = ProtoField.string("ev3.transfer.path", "File"),
-    transfer_done = ProtoField.uint32("ev3.transfer.done", "Transferred", base.UNIT_STRING, { " byte", " bytes" }),
-    transfer_size = ProtoField.uint32("ev3.transfer.size", "Size", base.UNIT_STRING, { " byte", " bytes" }),
-
-    beacon_answer = ProtoField.bytes("ev3.beacon.answer", "Answer to a beacon", base.SPACE),
-    unlock = ProtoField.string("ev3.unlock", "Unlock"),
-    unlock_serial = ProtoField.string("ev3.unlock.serial", "Serial number"),
-    accept = ProtoField.string("ev3.accept", "Accept"),
-}
 
 for _, declared in pairs(field) do
     fields[#fields + 1] = declared
@@ -898,37 +918,8 @@ do
     end
 end
 
-local beacon_field = {}
-for _, line in ipairs(CARRIERS.beacon_lines) do
-    beacon_field[line.name] = ProtoField.string("ev3.beacon." .. line.name, line.label)
-    fields[#fields + 1] = beacon_field[line.name]
-end
-
 -- The kinds of values in fields.
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
-
--- Expert information, with the filter name of each kind.
-local experts = {}
-for name, row in pairs({
-    fault = { "Faulty frame", "MALFORMED", "ERROR" },
-    unknown_opcode = { "Unknown opcode", "MALFORMED", "ERROR" },
-    unknown_cmd = { "Unknown CMD", "MALFORMED", "ERROR" },
-    cut_off = { "Cut off", "MALFORMED", "ERROR" },
-    cut_by_capture = { "Cut by the capture", "UNDECODED", "NOTE" },
-    misaligned = { "Misaligned variable", "PROTOCOL", "ERROR" },
-    beyond_memory = { "Variable beyond the requested memory", "PROTOCOL", "WARN" },
-    refused = { "Argument that the brick refuses", "PROTOCOL", "ERROR" },
-    misread = { "Value that the brick reads otherwise, or that is not documented", "PROTOCOL", "WARN" },
-    no_boundary = { "No frame starts here", "MALFORMED", "ERROR" },
-    error_reply = { "The brick refused the command, or it failed", "RESPONSE_CODE", "WARN" },
-    failed = { "The command failed", "RESPONSE_CODE", "WARN" },
-    orphan = { "The command that this reply answers was not seen", "SEQUENCE", "NOTE" },
-    unanswered = { "No reply to this command was seen", "SEQUENCE", "NOTE" },
-    unsure = { "The pairing is unsure", "SEQUENCE", "NOTE" },
-    bootloader_fault = { "Bootloader fault on USB 3", "PROTOCOL", "ERROR" },
-}) do
-    experts[name] = ProtoExpert.new("ev3.expert." .. name, row[1], expert.group[row[2]], expert.severity[row[3]])
-end
 
 -- Adds expert information. Wireshark also collects it without a tree: then `item` is the root.
 local complain
@@ -2219,13 +2210,6 @@ do
     -- Bytes of a daisy command before its payload: the sub-command and two layers.
     local DAISY_PAYLOAD = 3
 
-    local report_field = {}
-    for _, part in ipairs(DAISY.sensor_report) do
-        local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
-        report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
-        fields[#fields + 1] = report_field[part.name]
-    end
-
     local function bytes_between(view, at, stop)
         return new_range(view.tvb, view.base + at, stop - at)
     end
@@ -2464,7 +2448,7 @@ do
         for _, declared in ipairs(DAISY.sensor_report) do
             -- The last part extends to the end.
             local after = declared.size and at + declared.size or stop
-            if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
+            if after > at then payload:add(field["daisy_" .. declared.name], bytes_between(view, at, after)) end
             at = after
         end
         return line
@@ -3985,7 +3969,8 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name, conversation.address, conversation.port = plain_address(address) .. ":" .. port, address, port
+        conversation.name = plain_address(address) .. ":" .. port
+        conversation.address, conversation.port = address, port
     end
 
     local dissect_first
@@ -4149,7 +4134,7 @@ do
                 values[#values + 1] = phrases.on_one_line(value)
                 if line.name == "port" then port = port_of(value) end
                 local range = tvb(at + #head, #value)
-                if item then item:add(beacon_field[line.name], range, reading.utf8_text(value)) end
+                if item then item:add(field["beacon_" .. line.name], range, reading.utf8_text(value)) end
                 at = stop + 1
             end
             local said = "beacon: " .. concat(values, " ")

@@ -9,6 +9,7 @@ from typing import Any
 from construct.core import SizeofError
 
 from ev3proto.checking.codes import NO_MEMBER, OUT_OF_RANGE
+from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
@@ -68,6 +69,24 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     yield "Claims", "When traffic is claimed as this protocol.", _claims()
     yield "USB and Bluetooth", "How a brick is recognised.", _carriers()
     yield "WiFi", "The texts before the first frame.", _unlock()
+    yield (
+        "Names for filters",
+        "Fields, besides those of parameters and system messages, and expert information.",
+        _fields(),
+    )
+
+
+def _fields() -> Iterator[str]:
+    made: dict[Any, object] = {}
+    for field in FIELDS:
+        rest = f", {field.rest}" if field.rest else ""
+        made[field.key] = Name(f'ProtoField.{field.kind}("ev3.{field.name}", "{field.title}"{rest})')
+    yield _assign("field", Rows(named=made))
+    experts: dict[Any, object] = {}
+    for each in EXPERTS:
+        place = f"expert.group.{each.group}, expert.severity.{each.severity}"
+        experts[each.name] = Name(f'ProtoExpert.new("ev3.expert.{each.name}", "{each.title}", {place})')
+    yield _assign("experts", Rows(named=experts))
 
 
 def _heading(title: str, text: str) -> str:

@@ -13,13 +13,6 @@ do
     -- Bytes of a daisy command before its payload: the sub-command and two layers.
     local DAISY_PAYLOAD = 3
 
-    local report_field = {}
-    for _, part in ipairs(DAISY.sensor_report) do
-        local make = part.size == 1 and ProtoField.uint8 or ProtoField.bytes
-        report_field[part.name] = make("ev3.daisy." .. part.name, part.name)
-        fields[#fields + 1] = report_field[part.name]
-    end
-
     local function bytes_between(view, at, stop)
         return new_range(view.tvb, view.base + at, stop - at)
     end
@@ -258,7 +251,7 @@ do
         for _, declared in ipairs(DAISY.sensor_report) do
             -- The last part extends to the end.
             local after = declared.size and at + declared.size or stop
-            if after > at then payload:add(report_field[declared.name], bytes_between(view, at, after)) end
+            if after > at then payload:add(field["daisy_" .. declared.name], bytes_between(view, at, after)) end
             at = after
         end
         return line

@@ -198,7 +198,8 @@ do
         if to_brick then
             address, port = pinfo.dst, pinfo.dst_port
         end
-        conversation.name, conversation.address, conversation.port = plain_address(address) .. ":" .. port, address, port
+        conversation.name = plain_address(address) .. ":" .. port
+        conversation.address, conversation.port = address, port
     end
 
     local dissect_first
@@ -362,7 +363,7 @@ do
                 values[#values + 1] = phrases.on_one_line(value)
                 if line.name == "port" then port = port_of(value) end
                 local range = tvb(at + #head, #value)
-                if item then item:add(beacon_field[line.name], range, reading.utf8_text(value)) end
+                if item then item:add(field["beacon_" .. line.name], range, reading.utf8_text(value)) end
                 at = stop + 1
             end
             local said = "beacon: " .. concat(values, " ")

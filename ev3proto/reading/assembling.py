@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
 from ev3proto.reading.items import Code, Problem, Source
+from ev3proto.reading.kinds import LATIN_1
 from ev3proto.text.assembly.assembling import assembled as messages_of
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
@@ -26,7 +27,7 @@ def assembled(
         reply: Whether messages without a header want a reply; None: if their operations return values.
         unchecked: Accept values that mean nothing to the brick, such as motor port 16.
     """
-    text = source.text if isinstance(source.text, str) else source.text.decode(errors="replace")
+    text = source.text if isinstance(source.text, str) else source.text.decode("utf-8-sig", LATIN_1)
     log, name = TextLog(dialect), source.place.name
     try:
         messages = messages_of(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked)

@@ -171,8 +171,9 @@ def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
     return error.object[error.start : error.end].decode(STRING_CODING), error.end
 
 
-_LATIN_1 = "ev3proto-latin-1"
-codecs.register_error(_LATIN_1, _as_latin_1)
+LATIN_1 = "ev3proto-latin-1"
+"""The name of the error handler that reads bytes which are not UTF-8 as ISO-8859-1."""
+codecs.register_error(LATIN_1, _as_latin_1)
 
 
 def _text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
@@ -183,7 +184,7 @@ def _text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
     """
     start = stream.peek(2)[:2]
     encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
-    text = io.TextIOWrapper(stream, encoding, _LATIN_1 if encoding == "utf-8-sig" else "replace")
+    text = io.TextIOWrapper(stream, encoding, LATIN_1 if encoding == "utf-8-sig" else "replace")
     while line := text.readline(MAX_LINE + 1):
         yield line
         while len(line) > MAX_LINE and not line.endswith("\n"):

@@ -169,7 +169,7 @@ class Part:
             yield from self._texts.lines(given.lines)
         elif given.frame is not None:
             yield from self._contents(io.BytesIO(given.frame))
-        elif given.is_program_source and options.sources is not Sources.NO:
+        elif given.is_program_source and options.sources is Sources.YES:
             from ev3proto.program.sources import MAX_SOURCE  # takes 50 ms, which frames do not need
 
             assert stream is not None

@@ -56,8 +56,8 @@ _LOOPBACK = "127.0.0.1"
     "--hide",
     is_flag=True,
     help="Mask names, addresses and PINs in what is recorded and shown. This loses all values of commands with texts,"
-    " variables as inputs or jumps, of faulty frames, error replies and replies without their command. Files and"
-    " messages of WRITEMAILBOX are not masked.",
+    " variables as inputs, jumps or computing, of faulty frames, error replies and replies without their command."
+    " Files and messages of WRITEMAILBOX are not masked.",
 )
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
 @fault_options

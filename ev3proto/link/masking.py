@@ -1,11 +1,13 @@
 """Masks names, addresses and PINs in frames, for recordings that are given to others.
 
-Texts are shown only where the tables declare them public. Lengths stay, so a masked frame has the same operations.
+Numbers and texts are shown only where `tables.public` and Role.PUBLIC declare them public. Lengths stay, so a masked
+frame has the same operations.
 """
 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 
 from ev3proto.messages import (
@@ -23,9 +25,11 @@ from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.footprint import whole_number
 from ev3proto.semantics.replies import values_of
-from ev3proto.tables.declaration import Declaration, Role, Type
+from ev3proto.tables.declaration import Declaration, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
+from ev3proto.tables.public import Public, public_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
 
 MASK = ord("x")
@@ -44,6 +48,11 @@ _ADDRESS = re.compile(
     r"|\b[\da-fA-F]{12}\b"
 )
 """An IPv4, IPv6 or MAC address, or a serial number."""
+
+_ENDING = frozenset(
+    (Effect.ENDS, Effect.ENDS_CODE, Effect.MAY_END, Effect.JUMPS_ALWAYS, Effect.NEVER_RUNS, Effect.FAILS)
+)
+"""The effects of operations after which others may not be reached."""
 
 _TEXTS = (Kind.TEXT, Kind.COUNTED_TEXT)
 """The kinds of fields that hold texts; others hold numbers and the contents of files and mailboxes."""
@@ -95,25 +104,32 @@ def _written_over(frame: bytes, kept: int = HEADER_SIZE) -> bytes:
 
 
 def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
-    """Returns whether a command and its results have only numbers and public texts."""
+    """Returns whether a command and its results have only numbers and texts that are public."""
     return all(
-        not (operation.declaration.is_newer or operation.declaration.is_jump)
-        and all(map(_is_public, operation.arguments))
-        and not any(parameter.is_list and not parameter.counts for parameter in operation.declaration.parameters)
+        not operation.declaration.is_newer
+        and (row := public_of(operation.full_name)) is not None
+        and all(_is_public(argument, operation, row) for argument in operation.arguments)
         for operation in message.operations
     )
 
 
-def _is_public(argument: Argument) -> bool:
-    """Returns whether an argument is a number or a public text, or a variable into which the brick writes one."""
-    # A variable that the brick reads may hold a part of a text, unless the parameter has only a few documented values.
-    parameter, form = argument.parameter, argument.form
+def _is_public(argument: Argument, operation: Operation, row: Public) -> bool:
+    """Returns whether an argument is a public number or text, or a variable into which the brick writes one."""
+    parameter, form, number = argument.parameter, argument.form, whole_number(argument)
     if form.handle or form.address or form.kind in (JUMP, TEXT):
         return False
-    if parameter.is_output or parameter.stores or form.kind == CONSTANT:
-        is_number = parameter.type is not Type.STRING and parameter.length is None
-        return parameter.role is Role.PUBLIC or (is_number and parameter.indexed_by is None)
+    if parameter.type is Type.STRING or parameter.length is not None:
+        count = whole_number(next((one for one in operation.arguments if one.name == parameter.length), None))
+        fits = count is not None and count >= 0 and (row.most is None or count <= row.most)
+        return parameter.role is Role.PUBLIC and parameter.is_output and (fits or isinstance(parameter.length, int))
+    if parameter.is_output:
+        return True
     domain = domain_of(parameter)
+    if argument.name in row.only:
+        return number in row.only[argument.name]
+    if form.kind == CONSTANT:
+        return domain is None or number is None or domain.covers(number)
+    # A variable that the brick reads may hold a part of a text, unless there are only a few documented values.
     return domain is not None and domain.is_documented
 
 
@@ -156,13 +172,20 @@ def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
     is_shown = _is_shown(asked)
     if is_shown:
         hidden[HEADER_SIZE:] = bytes(MASK if byte else 0 for byte in frame[HEADER_SIZE:])
-    for value in values_of(reply, asked):
+    for value in values_of(reply, _reached(asked)):
         start, end = value.offset, value.offset + value.length
         if value.type == Type.STRING.label and frame[end : end + 1] == b"\0":
             hidden[end] = 0
         if is_shown:
             hidden[start:end] = frame[start:end]
     return bytes(hidden)
+
+
+def _reached(command: DirectCommand) -> DirectCommand:
+    """Returns a command without the operations after its end, whose outputs are left over from earlier ones."""
+    operations = command.operations
+    ends = (number for number, one in enumerate(operations, 1) if not _ENDING.isdisjoint(one.declaration.effects))
+    return replace(command, operations=operations[: next(ends, len(operations))])
 
 
 def _fields(frame: bytes, message: SystemCommand | SystemReply) -> bytes:

@@ -74,6 +74,14 @@ MEMORY = SECRET.encode().ljust(16, b"\0")
                 operation("INPUT_WRITE", 0, 0, 11, encode_as("LCS", SECRET)),
             )
         ),
+        # A text that is put together of constants.
+        asking(*(operation("WRITE8", encode_as("LC1", byte), at, LV(0)) for at, byte in enumerate(SECRET.encode()))),
+        asking(*(operation("ADD8", encode_as("LC1", byte), 0, LV(at)) for at, byte in enumerate(SECRET.encode()))),
+        asking(
+            *(operation("SELECT8", 1, encode_as("LC1", byte), 0, LV(at)) for at, byte in enumerate(SECRET.encode()))
+        ),
+        asking(*(operation("OR8", encode_as("LC1", byte), 0, LV(at)) for at, byte in enumerate(SECRET.encode()))),
+        asking(operation("MOVE32_32", int.from_bytes(SECRET[:4].encode(), "little"), LV(0))),
         ev3proto.system_command("SETBUNDLEID", id=SECRET).build(),
     ],
 )
@@ -119,6 +127,29 @@ def test_commands(frame: bytes) -> None:
                 [operation("FILE.GET_SUBFOLDER_NAME", "../prjs/", 1, 16, GV(0))],
                 [operation("UI_READ.TEXTBOX_READ", GV(0), 16, 0, 16, 1, GV(0))],
                 [operation("JR", 3), operation("UI_READ.GET_VBATT", GV(0))],
+                # Outputs that are never reached.
+                *(
+                    [end, *(operation("UI_READ.GET_VBATT", GV(at)) for at in (0, 4, 8))]
+                    for end in (
+                        operation("OBJECT_END"),
+                        operation("OBJECT_STOP", 1),
+                        operation("PROGRAM_STOP", 2),
+                        operation("PROGRAM_STOP", -1),
+                        operation("RETURN"),
+                        operation("ERROR"),
+                        operation("JR", 7),
+                        operation("JR_TRUE", 1, 7),
+                        operation("CALL", 1, []),
+                    )
+                ),
+                # Outputs that are not written, or only a part of them.
+                [operation("INPUT_DEVICE_LIST", 48, GV(0), LV(0))],
+                [operation("INPUT_DEVICE_LIST", LV(4), GV(0), LV(0))],
+                [operation("INPUT_DEVICE.GET_NAME", 0, 0, LV(4), GV(0))],
+                [operation("INPUT_READEXT", 0, 0, 0, 0, 3, [GV(0), GV(4), GV(8)])],
+                [operation("PROGRAM_INFO.GET_STATUS", 1, GV(at)) for at in range(11)],
+                [operation("FILE.LOAD_IMAGE", 1, "../prjs/a.rbf", GV(0), GV(4))],
+                [operation("COM_GET.GET_NETWORK", 1, 16, GV(0), LV(0), LV(16))],
             )
         ),
     ],
@@ -159,6 +190,15 @@ def test_commands_without_texts_stay() -> None:
         assert masked(replying(memory), public) == replying(memory)
     listing = ev3proto.system_command("LIST_FILES", path="../prjs/", max_bytes=900).build()
     assert masked(listing) == listing
+
+
+def test_outputs_before_the_end_stay() -> None:
+    request = asking(
+        operation("UI_READ.GET_VBATT", GV(0)), operation("OBJECT_END"), operation("UI_READ.GET_IBATT", GV(4))
+    )
+    assert masked(request) == request
+    volts = bytes.fromhex("00 00 f0 40")
+    assert masked(replying(volts + b"Pass" + bytes(8)), request) == replying(volts + b"xxxx" + bytes(8))
 
 
 def test_the_text_in_a_masked_reply_keeps_its_length() -> None:

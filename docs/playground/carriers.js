@@ -7,6 +7,11 @@ const BAUD_RATE = 115200;
 /** Milliseconds for a write to end before the port is closed. */
 const PATIENCE = 1000;
 
+/** Milliseconds in which nobody can have chosen. */
+const HUMAN = 100;
+const BLOCKED = " If the browser showed no list at all, an administrator has blocked WebHID, as schools do on managed Chromebooks:"
+  + " ask for this address to be allowed (policy WebHidAskForUrls)";
+
 const UNPLUGGED = "the brick was unplugged or switched off";
 
 /** @typedef {{heard: (bytes: Uint8Array, at: number) => void, gone: (reason: string) => void}} To  takes what happens */
@@ -83,12 +88,16 @@ const chosenDevice = async (hid, isNew) => {
   const known = isNew ? [] : (await hid.getDevices()).filter(isBrick);
   if (known.length === 1) return known[0];
   let chosen;
+  const asked = performance.now();
   try {
     chosen = await hid.requestDevice({ filters: [{ vendorId: VENDOR, productId: PRODUCT }] });
   } catch (error) {
     throw new Refused(`The browser did not allow it: ${messageOf(error)}`);
   }
-  if (!chosen.length) throw new Refused("No brick was chosen. Is it switched on, and its cable in the port marked PC?");
+  if (!chosen.length) {
+    const isBlocked = performance.now() - asked < HUMAN;
+    throw new Refused(`No brick was chosen. Is it switched on, and its cable in the port marked PC?${isBlocked ? BLOCKED : ""}`);
+  }
   return chosen[0];
 };
 

@@ -55,7 +55,7 @@ export const drawDump = (box, { hex, start, end, columns, classes }) => {
 /** @param {number} index @param {string} text @param {string} kind */
 const byteBox = (index, text, kind) => {
   const byte = make("span", text, kind);
-  byte.role = "option";
+  byte.setAttribute("role", "option");
   byte.id = `byte-${index}`;
   byte.dataset.at = String(index);
   byte.setAttribute("aria-selected", "false");

@@ -72,7 +72,7 @@ export const offerCompletions = (complete) => {
     chosen = -1;
     const items = words.map(([, label], number) => {
       const item = make("li", label);
-      item.role = "option";
+      item.setAttribute("role", "option");
       item.id = `word-${number}`;
       item.onpointerdown = (/** @type {PointerEvent} */ event) => { event.preventDefault(); insert(number); };
       return item;

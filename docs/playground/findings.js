@@ -23,7 +23,7 @@ const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
   if (frame >= 0) {
     box.dataset.block = String(number);
     box.tabIndex = 0;
-    box.role = "group";
+    box.setAttribute("role", "group");
     box.setAttribute("aria-label", `${severity || "verdict"}: ${textOf(lines[0] ?? [])}`);
   }
   /** @type {HTMLElement | null} */

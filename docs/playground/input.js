@@ -15,8 +15,16 @@ const input = find("input", HTMLTextAreaElement), file = find("file", HTMLInputE
 
 // What is typed
 
+/** A link to this page, here or elsewhere. */
+const OWN_LINK = /^\s*https?:\S+\/(?:index\.html)?(#(?:text|z)=\S+)\s*$/;
+
 const changed = () => {
   const text = input.value;
+  const link = text.match(OWN_LINK);
+  if (link) {
+    location.hash = link[1];
+    return;
+  }
   file.value = "";
   input.placeholder = "";
   change({ file: "", note: "" });
@@ -63,13 +71,28 @@ const open = async (opened) => {
   look(bytes.length, false, "open_file", opened.name, bytes);
 };
 file.onchange = () => open(file.files?.[0]);
+
+// What is dropped or pasted anywhere
+
 document.ondragover = (event) => { event.preventDefault(); document.body.classList.add("dropping"); };
 document.ondragleave = (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); };
 document.ondrop = (event) => {
-  event.preventDefault();
   document.body.classList.remove("dropping");
-  open(event.dataTransfer?.files[0]);
+  const dropped = event.dataTransfer;
+  const isText = !dropped?.files.length && dropped?.types.includes("text/plain");
+  // A text that is dropped into the input goes where it is dropped.
+  if (isText && event.target === input) return;
+  event.preventDefault();
+  if (isText) replace(dropped?.getData("text/plain") ?? "");
+  else open(dropped?.files[0]);
 };
+document.addEventListener("paste", (event) => {
+  const isField = event.target instanceof Element && event.target.closest("input, textarea, select, dialog");
+  const text = event.clipboardData?.getData("text/plain");
+  if (isField || !text) return;
+  event.preventDefault();
+  replace(text);
+});
 
 // Examples
 
@@ -140,6 +163,9 @@ const openLink = async () => {
   return true;
 };
 window.onhashchange = openLink;
+
+// Who comes to paste something need not click first; on a phone this would show the keyboard.
+if (document.activeElement === document.body && !matchMedia("(pointer: coarse)").matches) input.focus({ preventScroll: true });
 
 /** Reads what is there when Python is ready: the link, or what was typed meanwhile. */
 export const readFirst = async () => {

@@ -39,6 +39,20 @@ find("cancel").addEventListener("click", cancel);
 sending(real);
 offerCompletions((before) => home().ask("complete", before));
 
+// What has the focus may be hidden, as a button that has done its work: the focus stays near it
+
+/** @type {Element | null} */
+let focused = null;
+document.addEventListener("focusin", ({ target }) => { focused = target instanceof Element ? target : null; });
+/** @param {Element} element */
+const isShown = (element) => element.getClientRects().length > 0;
+follow(() => {
+  if (!focused || (isShown(focused) && focused.isConnected) || ![document.body, focused].includes(document.activeElement ?? document.body)) return;
+  const near = [...document.querySelectorAll(`#${focused.closest("section[id]")?.id ?? "write"} :is(button, textarea)`)];
+  const next = near.find((each) => isShown(each) && !each.matches(":disabled")) ?? find("input");
+  if (next instanceof HTMLElement) next.focus({ preventScroll: true });
+});
+
 /** Takes what Python says by itself. @param {import("./python.js").Said} said */
 const hear = (said) => {
   if (said.status) change({ status: said.status });
@@ -62,4 +76,5 @@ const ready = async (started) => {
   navigator.serviceWorker?.register(new URL("./service-worker.js", import.meta.url)).catch(() => {});
 };
 
+document.body.dataset.begun = "true";
 begin({ hear, show, clear, restarted: real.drop });

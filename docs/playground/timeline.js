@@ -17,7 +17,15 @@ export const drawTimeline = async (chart, place) => {
   if (width < NARROW) parameter("kinds").value = 0;
   parameter("room").value = Math.max(LEAST_ROOM, width - parameter("margin").value);
   for (const each of chart.vconcat) each.width = parameter("room").value;
-  const { spec } = vegaLite.compile(chart);
+  const { spec } = vegaLite.compile({ ...chart, background: "transparent", config: { ...chart.config, ...colours(place) } });
   const flow = vega.parse(spec, null, { ast: true });
   await new vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter }).runAsync();
+};
+
+/** Returns the colours of the page for a chart, which are dark in the dark. @param {HTMLElement} place */
+const colours = (place) => {
+  const style = getComputedStyle(place);
+  const [text, aside, line] = ["--text", "--aside", "--line"].map((name) => style.getPropertyValue(name).trim());
+  const axis = { labelColor: aside, titleColor: text, gridColor: line, domainColor: line, tickColor: line };
+  return { axis, legend: { labelColor: aside, titleColor: text }, title: { color: text }, text: { color: text }, view: { stroke: line } };
 };

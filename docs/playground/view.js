@@ -81,7 +81,7 @@ const showTree = () => {
 
 /** Makes a line an item of a tree. @param {HTMLElement} row @param {string} id @param {number} indent  its level follows from it */
 const asItem = (row, id, indent) => {
-  row.role = "treeitem";
+  row.setAttribute("role", "treeitem");
   row.id = id;
   row.setAttribute("aria-level", String(indent ? 2 : 1));
   row.setAttribute("aria-selected", "false");

@@ -219,7 +219,7 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     assert not scrolls_sideways(browser)
 
     # Lines that do not match are hidden; a name is shown as text.
-    browser.find_element(By.ID, "filter").send_keys("input_read")
+    browser.find_element(By.ID, "talk-filter").send_keys("input_read")
     assert "FREQUENCY" not in browser.find_element(By.ID, "talks").text
     assert "INPUT_READ" in browser.find_element(By.ID, "talks").text
     wait.until(lambda _: "<img src=x>.rbf" in browser.find_element(By.ID, "files").text)

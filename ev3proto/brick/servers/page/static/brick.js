@@ -35,7 +35,7 @@ const BRICK = `
 </section>
 <section class="talk" aria-label="Dialogue">
   <h2>Dialogue</h2>
-  <p><input id="filter" type="search" placeholder="filter lines by text" aria-label="Show only lines with this text">
+  <p><input id="talk-filter" type="search" placeholder="filter lines by text" aria-label="Show only lines with this text">
   <span id="clients"></span> <span id="left-out"></span></p>
   <ol id="talks" tabindex="0" aria-label="Commands and replies"></ol>
 </section>
@@ -215,16 +215,17 @@ export const showBrick = (place, send) => {
   const isSwitch = (mode) => !mode.symbol && mode.datasets === 1 && mode.si[0] === 0 && mode.si[1] === 1;
 
   const touchButton = (mode, label, read) => {
-    const element = make("button", "not pressed", "touch");
-    element.setAttribute("aria-label", label);
+    const element = make("button", "", "touch");
     let raw = mode.raw[0];
     const put = (value) => () => { raw = value; read(); };
     onHold(element, put(mode.raw[1]), put(mode.raw[0]));
     const show = (value) => {
       const isPressed = value !== null && Math.abs(value - mode.raw[1]) < Math.abs(value - mode.raw[0]);
       element.textContent = isPressed ? "pressed" : "not pressed";
+      element.setAttribute("aria-label", `${label}: ${element.textContent}`);
       element.classList.toggle("down", isPressed);
     };
+    show(mode.raw[0]);
     return { element, value: () => raw, show };
   };
 
@@ -273,7 +274,7 @@ export const showBrick = (place, send) => {
   // The dialogue
 
   const lines = new Map();
-  const isWanted = (line) => line.textContent.toLowerCase().includes(find("filter").value.toLowerCase());
+  const isWanted = (line) => line.textContent.toLowerCase().includes(find("talk-filter").value.toLowerCase());
   show.talks = (talks) => {
     const box = find("talks");
     const isAtEnd = box.scrollTop + box.clientHeight >= box.scrollHeight - 4;
@@ -292,7 +293,7 @@ export const showBrick = (place, send) => {
     if (isAtEnd) box.scrollTop = box.scrollHeight;
   };
   show.left_out = (count) => { find("left-out").textContent = count ? `${count} not shown: they came too fast` : ""; };
-  find("filter").oninput = () => { for (const line of lines.values()) line.hidden = !isWanted(line); };
+  find("talk-filter").oninput = () => { for (const line of lines.values()) line.hidden = !isWanted(line); };
 
   // Files
 

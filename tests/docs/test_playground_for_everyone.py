@@ -1,0 +1,172 @@
+"""The playground for everyone: by keyboard, with a screen reader, in the dark, on a phone, enlarged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from selenium.webdriver import Chrome, Keys
+from selenium.webdriver.common.by import By
+from support.browser import chromium, complaints, scrolls_sideways
+from support.playground import Page, fragment, put_fakes, served_site
+from support.scripts import node_modules
+from support.site import built_site
+
+WRONG = "0x|08:00|01:00|00|05:00|81:01:61|"
+LOG = """\
+09:12:31.5 Sent 0x|08:00|01:00|00|01:00|81:01:60|
+09:12:31.6 Recv 0x|07:00|01:00|02|66:66:F6:40|
+09:12:31.7 Sent 0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|
+"""
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The documentation, as it is built."""
+    return built_site(tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def address(built: Path) -> Iterator[str]:
+    """The site, served as a folder is by Python."""
+    with served_site(built) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
+    """One browser for all tests, whose pages find fakes for USB and Bluetooth."""
+    with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:
+        put_fakes(browser)
+        yield browser
+
+
+@pytest.fixture
+def page(browser: Chrome, address: str) -> Iterator[Page]:
+    """The page, just opened."""
+    page = Page(browser, address)
+    page.open()
+    yield page
+    assert complaints(browser) == []
+
+
+def focus(page: Page) -> str:
+    """The id of what has the focus."""
+    return str(page.run("return document.activeElement.id || document.activeElement.tagName"))
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("text", [WRONG, LOG, "", "UI_WRITE(LED, LED_RDE)"], ids=["wrong", "log", "empty", "error"])
+def test_axe_finds_nothing(page: Page, scheme: str, text: str) -> None:
+    axe = (node_modules() / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+    features = [{"name": "prefers-color-scheme", "value": scheme}]
+    page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+    page.type(text)
+    if text:
+        page.wait(lambda: page.text("findings") or page.text("error"))
+    page.browser.execute_cdp_cmd("Runtime.evaluate", {"expression": axe})
+    found: list[Any] = page.browser.execute_async_script("axe.run().then((it) => arguments[0](it.violations))")
+    assert [(each["id"], [node["html"][:200] for node in each["nodes"][:3]]) for each in found] == []
+
+
+def test_the_input_has_the_focus_and_keys_reach_everything(page: Page) -> None:
+    assert focus(page) == "input"
+    page.type(WRONG)
+    page.wait(lambda: page.texts("#findings [tabindex='0']"))
+    # Enter on a finding marks its bytes; in the tree, lines have levels.
+    finding = page.browser.find_element(By.CSS_SELECTOR, "#findings .error")
+    page.run("arguments[0].focus()", finding)
+    finding.send_keys(Keys.ENTER)
+    assert page.texts("#bytes .chosen") == ["61"]
+    levels = page.run("return [...document.querySelectorAll('#tree [role]')].map((each) => each.ariaLevel)")
+    assert levels[:2] == ["1", "2"]
+    page.browser.find_element(By.ID, "header").send_keys(Keys.ARROW_DOWN, Keys.ARROW_DOWN)
+    assert page.texts("#header .chosen")[0].split()[:2] == ["2", "counter"]
+
+
+def test_the_focus_is_not_lost_with_a_button(page: Page) -> None:
+    page.type("0x|08:00|01:00|00|01:00|81:01:60|")
+    page.wait(lambda: page.texts("#remedies button"))
+    page.browser.find_element(By.CSS_SELECTOR, "#remedies button").send_keys(Keys.ENTER)
+    page.wait(lambda: page.text("verdict") == "The brick takes it.")
+    assert focus(page) == "input"
+    page.browser.find_element(By.ID, "connect-usb").send_keys(Keys.ENTER)
+    page.wait(lambda: page.connection == "usb")
+    page.wait(lambda: focus(page) not in ("BODY", "connect-usb"))
+    page.browser.find_element(By.ID, "disconnect").send_keys(Keys.ENTER)
+    page.wait(lambda: page.connection == "none" and focus(page) == "connect-usb")
+
+
+def test_screen_readers_hear_a_short_status(page: Page) -> None:
+    live = page.run(
+        "return [...document.querySelectorAll('[role=status], [role=alert], [aria-live]')].map((it) => it.id)"
+    )
+    assert {"sentence", "verdict", "error", "note"} <= set(live)
+    assert "findings" not in live
+
+
+def test_pasting_and_dropping_work_anywhere(page: Page) -> None:
+    page.run("document.activeElement.blur()")
+    script = """
+        const data = new DataTransfer();
+        data.setData('text/plain', arguments[1]);
+        const [kind, name] = arguments[0] === 'paste' ? [ClipboardEvent, 'clipboardData'] : [DragEvent, 'dataTransfer'];
+        document.body.dispatchEvent(new kind(arguments[0], {bubbles: true, cancelable: true, [name]: data}))"""
+    page.run(script, "paste", WRONG)
+    page.wait(lambda: page.input == WRONG)
+    page.run(script, "drop", LOG)
+    page.wait(lambda: page.input == LOG)
+
+
+def test_a_link_of_its_own_is_opened_where_it_is_pasted(page: Page) -> None:
+    page.type(f"https://example.org/docs/playground/index.html{fragment(WRONG)}")
+    page.wait(lambda: page.input == WRONG)
+    page.wait(lambda: page.text("sentence") == "Reads the battery voltage.")
+
+
+def test_on_a_phone_nothing_is_covered(address: str, tmp_path: Path) -> None:
+    with chromium(tmp_path / "profile", 390) as browser:
+        page = Page(browser, address)
+        page.open(fragment(WRONG))
+        page.wait(lambda: page.texts("#findings .error") and page.text("sentence"))
+        bar = "document.getElementById('show-brick').getBoundingClientRect()"
+        assert page.run(f"return {bar}.top >= document.getElementById('desk').getBoundingClientRect().bottom")
+        assert page.run(f"return Math.abs({bar}.bottom - innerHeight) < 12")
+        assert not scrolls_sideways(browser)
+        for name in ("bytes", "findings", "header", "tree"):
+            assert page.run(f"return {name}.scrollWidth <= {name}.clientWidth"), name
+
+
+def test_at_twice_the_size_everything_fits(address: str, tmp_path: Path) -> None:
+    # A window of 780 pixels, enlarged to twice the size, has 390.
+    with chromium(tmp_path / "profile", 780) as browser:
+        browser.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": 390, "height": 450, "deviceScaleFactor": 2, "mobile": False},
+        )
+        page = Page(browser, address)
+        page.open(fragment(WRONG))
+        page.wait(lambda: page.texts("#findings .error"))
+        assert not scrolls_sideways(browser)
+        for name in ("bytes", "findings", "tree"):
+            assert page.run(f"return {name}.scrollWidth <= {name}.clientWidth"), name
+
+
+def test_where_it_cannot_start_a_sentence_says_why(built: Path, tmp_path: Path) -> None:
+    with chromium(tmp_path / "profile") as browser:
+        browser.get((built / "playground" / "index.html").as_uri())
+        page = Page(browser, "")
+        page.wait(lambda: page.is_shown("late"), 20)
+        assert "python3 -m http.server" in page.text("late")
+        assert "Firefox 114" in page.text("late")
+
+
+def test_no_path_of_the_browsers_files_is_shown(page: Page, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.pcapng"
+    cut.write_bytes((Path(__file__).parents[2] / "captures" / "usb.pcapng").read_bytes()[:3001])
+    page.browser.find_element(By.ID, "file").send_keys(str(cut))
+    page.wait(lambda: page.text("error"))
+    assert "cut.pcapng" in page.text("error")
+    assert "/tmp" not in page.run("return document.body.textContent")

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import BinaryIO
 
 import click
 
-from ev3proto.capture import Announcement, CaptureError, Event, Skipped, TextKind, read
 from ev3proto.capture.dialogues import RequestReply, dialogues
+from ev3proto.capture.record import Announcement, CaptureError, Record, Skipped, TextKind
+from ev3proto.checking.report import Severity
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.cli.reading import reading_options
 from ev3proto.cli.recorded import Dialogues, show_announcement
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.tshark import Run, Tshark
-from ev3proto.reading.options import Options
-from ev3proto.reading.parts import MOST_SKIPPED
+from ev3proto.reading.given import Given
+from ev3proto.reading.items import Code, Event, Problem
+from ev3proto.reading.options import Options, Sources
+from ev3proto.reading.parts import Reading
 
 PATIENCE_NS = 2_000_000_000
 """Time without a reply after which a command is shown as unanswered, at the next event."""
@@ -59,19 +64,20 @@ def live(interfaces: tuple[str, ...], reading: Options, as_json: bool) -> None:
         _watch(run, reading, f"Capturing on {', '.join(names)}. Ctrl-C ends it.", as_json=as_json)
 
 
-def _watch(run: Run, reading: Options, started: str, *, as_json: bool) -> None:
+def _watch(run: Run, options: Options, started: str, *, as_json: bool) -> None:
     """Shows what tshark captures until it ends. Raises CaptureError if it ends by itself."""
-    try:
+
+    def opened() -> BinaryIO:
         # The output starts with the first captured packet.
-        capture = read(
-            run.output,
-            dialect=reading.dialect,
-            ports=reading.ports,
-            everything=reading.everything,
-            memory=reading.memory,
-        )
-        complain(started)
-        _Watching(reading, as_json=as_json).show(capture.events())
+        if run.output.peek(1):
+            complain(started)
+        return run.output
+
+    captured = Reading(
+        [Given("", open=opened, is_lent=True)], replace(options, filter=None, sources=Sources.NO, images=False)
+    )
+    try:
+        _Watching(options, as_json=as_json).show(captured.events())
     except CaptureError:
         run.check()
         if not run.is_stopped:
@@ -94,29 +100,26 @@ class _Watching:
         self._dialogues = Dialogues(self._show)
         self._start_ns: int | None = None
         self._beacons: set[bytes] = set()
-        self._skipped = 0
 
-    def show(self, events: Iterator[Event]) -> None:
+    def show(self, events: Iterable[Event]) -> None:
         """Shows all events."""
         for pair in dialogues(self._beside(events), PATIENCE_NS):
             if self._is_wanted(pair):
                 self._dialogues.show(pair, self._start_ns or 0)
-        if self._skipped > MOST_SKIPPED:
-            complain(f"and {self._skipped - MOST_SKIPPED} more places that could not be read")
 
-    def _beside(self, events: Iterator[Event]) -> Iterator[Event]:
-        """Yields the events, and shows those outside dialogues."""
+    def _beside(self, events: Iterable[Event]) -> Iterator[Record | Skipped | Announcement]:
+        """Yields the events, and shows those outside dialogues. Raises CaptureError for what ends the capture."""
         for event in events:
-            if self._start_ns is None:
-                self._start_ns = event.time_ns
-            if isinstance(event, Announcement):
-                if self._chosen is None and (self._as_json or self._is_new(event)):
+            if isinstance(event, Problem):
+                if event.severity is Severity.ERROR and event.code is not Code.SKIPPED:
+                    raise CaptureError(event.message)
+                complain(str(event))
+            elif isinstance(event, Record | Skipped | Announcement):
+                if self._start_ns is None:
+                    self._start_ns = event.time_ns
+                if isinstance(event, Announcement) and self._chosen is None and (self._as_json or self._is_new(event)):
                     show_announcement(self._show, event, self._start_ns)
-            elif isinstance(event, Skipped):
-                self._skipped += 1
-                if self._skipped <= MOST_SKIPPED:
-                    complain(str(event))
-            yield event
+                yield event
 
     def _is_wanted(self, pair: RequestReply) -> bool:
         chosen = self._chosen

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import shutil
 import subprocess
@@ -9,7 +10,7 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from tempfile import TemporaryFile
 from types import TracebackType
-from typing import BinaryIO, Self
+from typing import Self, cast
 
 from ev3proto.capture import CaptureError
 from ev3proto.generate.dissector.build import FILE_NAME, build
@@ -122,7 +123,7 @@ class Run:
             raise EngineError(f"{self._path} cannot be run: {error.strerror or error}") from error
         assert self._process.stdout is not None
         # its output
-        self.output: BinaryIO = self._process.stdout  # type: ignore[assignment]
+        self.output = cast(io.BufferedReader, self._process.stdout)
 
     def stop(self) -> None:
         """Asks tshark to stop: the output ends after the packets captured so far. Signal handlers may call it."""

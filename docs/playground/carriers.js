@@ -7,7 +7,7 @@ const BAUD_RATE = 115200;
 /** Milliseconds for a write to end before the port is closed. */
 const PATIENCE = 1000;
 
-/** Milliseconds in which nobody can have chosen. */
+/** Milliseconds that are too short for a choice by hand. */
 const HUMAN = 100;
 const BLOCKED = " If the browser showed no list at all, an administrator has blocked WebHID, as schools do on managed Chromebooks:"
   + " ask for this address to be allowed (policy WebHidAskForUrls)";

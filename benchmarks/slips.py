@@ -192,6 +192,21 @@ def length_in_decimal(frame: bytes, _: Random) -> Wrong:
 
 
 @slip
+def length_of_four_bytes(frame: bytes, _: Random) -> Wrong:
+    return struct.pack("<I", len(frame) - 2) + frame[2:], 0, 4
+
+
+@slip
+def line_end_behind(frame: bytes, rng: Random) -> Wrong:
+    return frame + rng.choice((b"\n", b"\r\n", b"\0")), len(frame) - 1, len(frame) + 2
+
+
+@slip
+def report_number_in_front(frame: bytes, _: Random) -> Wrong:
+    return b"\0" + frame, 0, 1
+
+
+@slip
 def counter_left_out(frame: bytes, _: Random) -> Wrong:
     return changed(frame, 2, 2), 0, 5
 
@@ -306,6 +321,10 @@ def _is_wide(one: Argument) -> bool:
     return one.encoding in ("GV0", "LV0") and one.parameter.type.size > 1
 
 
+def _is_negative(one: Argument) -> bool:
+    return one.encoding == "LC1" and isinstance(one.value, int) and one.value < 0
+
+
 def _is_result(one: Argument) -> bool:
     return one.encoding in ("GV0", "LV0") and one.parameter.is_output
 
@@ -319,6 +338,8 @@ SLIPS |= {
     "text_id_missing": _of_argument(_is("LCS"), lambda one: one.raw[1:]),
     "text_with_length": _of_argument(_is("LCS"), lambda one: bytes((one.length - 2,)) + one.raw[1:]),
     "int_for_float": _of_argument(_is_whole_float, lambda one: encode_integer(round(float(one.value)))),
+    "float_raw": _of_argument(_is_whole_float, lambda one: one.raw[1:]),
+    "sign_not_extended": _of_argument(_is_negative, lambda one: b"\x82" + one.raw[1:] + b"\0"),
     "variable_unaligned": _of_argument(_is_wide, lambda one: bytes((one.raw[0] + 1,))),
     "constant_for_variable": _of_argument(_is_result, lambda one: bytes((one.raw[0] & 0x1F,))),
     "variable_with_81": _of_argument(_is_result, lambda one: b"\x81" + one.raw),

@@ -5,18 +5,20 @@ A generator for each part of a frame: its header, the arguments of one operation
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from ev3proto.checking.likelihood import Code, Reading
+from ev3proto.errors import counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import LABEL_BYTE, encode_float, encode_integer, encode_string, encode_variable
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.schema.instructions import OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
-from ev3proto.tables.encoding import GLOBAL, LOCAL
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
 from ev3proto.tables.system import SystemCommand as Entry
@@ -35,6 +37,8 @@ _OLD_LCS = 0x80
 _LV0, _GV0 = (encode_variable(Variable(scope, 0))[0] for scope in (LOCAL, GLOBAL))
 _SHORT = 32  # numbers and indexes below this one are one byte
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32)
+ENDS = b"\r\n\0"
+"""Bytes that often follow a frame."""
 _COMMON = b"\0."  # bytes that are often twice in a row
 
 
@@ -61,9 +65,21 @@ def spaced(data: bytes) -> str:
     return data.hex(" ").upper()
 
 
+def stated_size(frame: bytes) -> int:
+    """Returns the size of a frame by its length field."""
+    return int.from_bytes(frame[:LENGTH_FIELD], "little") + LENGTH_FIELD
+
+
 def sized(body: bytes) -> bytes:
     """Returns a frame from the counter on with its length field, which holds as much as two bytes can."""
     return min(len(body), 0xFFFF).to_bytes(LENGTH_FIELD, "little") + body
+
+
+def left_over(frame: bytes, at: int) -> Edit:
+    """Returns the edit that drops the bytes from an offset on."""
+    rest = frame[at:]
+    words = counted(len(rest), "byte"), "is" if len(rest) == 1 else "are"
+    return Edit("left-over", at, len(frame), b"", words, 1.0 if rest.strip(ENDS) else 0.0)
 
 
 # The header
@@ -74,12 +90,15 @@ def header_edits(frame: bytes) -> Iterator[Edit]:
     size = len(frame)
     if frame[0] in (size - 1, size + 1) and frame[1]:
         yield Edit("length-half", 1, 1, b"\0")
-    if size > 9 and frame[6] in DIRECT:
+    if size > 9 and frame[6] in _COMMANDS:
         yield Edit("header-long", TYPE_AT, 6, b"")
+        if not any(frame[2:4]):
+            yield Edit("header-long", 2, 4, b"", extra=-1.0)
+    if stated_size(frame[1:]) == size - 1:
+        yield Edit("report-number", 0, 1, b"")
     if frame[2] in _COMMANDS:
         length = size.to_bytes(LENGTH_FIELD, "little")
-        fits = int.from_bytes(frame[:2], "little") == size - LENGTH_FIELD
-        yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if fits else 0.0)
+        yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if stated_size(frame) == size else 0.0)
         yield Edit("counter-missing", 2, 2, bytes(2), guess=2)
     if frame[3] in _COMMANDS:
         yield Edit("header-short", 3, 3, b"\0", guess=1)
@@ -113,6 +132,8 @@ def _of_memory(frame: bytes) -> Iterator[Edit]:
     yield Edit("memory-missing", at, at, bytes(2), extra=1.0 if frame[2] in DIRECT and not frame[3] else 0.0)
     yield Edit("memory-half", at, at, b"\0", guess=1)
     yield Edit("memory-half", at + 1, at + 1, b"\0", extra=0.2, guess=1)
+    if len(frame) > end + MEMORY_SIZE and not any(frame[end : end + MEMORY_SIZE]):
+        yield Edit("header-long", end, end + MEMORY_SIZE, b"")
     if len(frame) > end and frame[at] != frame[at + 1]:
         yield Edit("memory-swapped", at, end, frame[at:end][::-1])
         if 0 < frame[at + 1] < 64:
@@ -206,6 +227,17 @@ def _swapped(place: _Place) -> Iterator[Edit]:
         yield Edit("swapped", at + 1, at + 1 + width, raw[::-1], words)
 
 
+def _sign(place: _Place) -> Iterator[Edit]:
+    argument = place.argument
+    if not place.takes_number or argument is None or not argument.form.width or argument.kind != CONSTANT:
+        return
+    for bits in (8, 16):
+        number = int(argument.value) - (1 << bits)
+        if -(1 << bits - 1) <= number < 0 and not place.number(int(argument.value)) and place.number(number):
+            new = place.number(number)
+            yield Edit("sign", place.at, place.end, new, (*place.names, number, spaced(new)))
+
+
 def _said(raw: bytes, known: ParameterFacts) -> str:
     """Returns the number that big-endian bytes were meant as."""
     if known.parameter.type is Type.DATAF:
@@ -231,14 +263,30 @@ def _text(place: _Place) -> Iterator[Edit]:
 
 
 def _float(place: _Place) -> Iterator[Edit]:
-    argument, parameter = place.argument, place.known.parameter
-    if argument is None or argument.is_variable or parameter.type is not Type.DATAF or parameter.is_output:
+    argument, at, data = place.argument, place.at, place.code.data
+    if place.known.parameter.type is not Type.DATAF or place.known.parameter.is_output:
         return
-    value, data = argument.value, place.code.data[place.at + 1 : place.at + 5]
-    number = int.from_bytes(data, "little", signed=True) if isinstance(value, float) else value
+    for kind, skipped in (("raw", 0), ("width", 1)):
+        raw = data[at + skipped : at + skipped + 4]
+        number = struct.unpack("<f", raw)[0] if len(raw) == 4 else 0.0
+        if 0.01 <= abs(number) < 100_000 and (kind == "raw" or data[at] in (_LC1, _LC2)):
+            new = bytes((_LC4,)) + raw
+            words = (
+                (*place.names, f"{data[at]:02X}", f"{_LC4:02X}", _WORDS[4])
+                if skipped
+                else (*place.names, f"{number:g}", spaced(new))
+            )
+            yield Edit(kind, at, at + skipped + 4, new, words)
+    if argument is None or argument.is_variable:
+        return
+    number = (
+        int.from_bytes(data[at + 1 : at + 5], "little", signed=True)
+        if isinstance(argument.value, float)
+        else argument.value
+    )
     if isinstance(number, int) and 0 < abs(number) < 1_000_000:
         new = encode_float(number)
-        yield Edit("float", place.at, place.end, new, (*place.names, number, spaced(new)))
+        yield Edit("float", at, place.end, new, (*place.names, number, spaced(new)))
 
 
 def _variable(place: _Place) -> Iterator[Edit]:
@@ -288,6 +336,7 @@ _AT_ARGUMENT: tuple[Callable[[_Place], Iterator[Edit]], ...] = (
     _width,
     _label,
     _swapped,
+    _sign,
     _text,
     _float,
     _variable,
@@ -371,6 +420,8 @@ def _of_opcode(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
     schema, family = reading.schema, code.set.families[code.data[start]]
     if schema is not None and Effect.ENDS_CODE in schema.declaration.effects:
         yield Edit("end", start, start + 1, b"")
+    if not code.data[start:].strip(ENDS):
+        yield left_over(code.data, start)
     if family is not None:
         for cmd in family.short:
             yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (family.opcode.name,), guess=1)

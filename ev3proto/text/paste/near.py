@@ -1,4 +1,4 @@
-r"""Bytes that are not a frame and were meant as one: a wrong length or type, a slip such as `G8`, a piece that was cut.
+"""Bytes that are not a frame and were meant as one: a wrong length or type, a slip such as `G8`, what was cut.
 
 A wrong frame is given out as its bytes, so that `decode` and `check` name its fault. A slip is named with its column,
 and the bytes in front of it are given out.
@@ -7,269 +7,328 @@ and the bytes in front of it are given out.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from itertools import product
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice, pairwise
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
-from ev3proto.tables.frame import REPORT_SIZES
+from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, is_prose, is_wrong_frame, may_begin
-from ev3proto.text.paste.notations import BASE64, NUMBERS, STRINGS
-from ev3proto.text.paste.pieces import LEAST, clean_head, head_before, short
-from ev3proto.text.paste.readings import Part, Run, starts_of
+from ev3proto.text.paste.heads import head_of, is_head
+from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, short
+from ev3proto.text.paste.rows import AROUND, Row, of_line
+from ev3proto.text.paste.sequences import Part, Values, best
 from ev3proto.text.paste.strangers import strange_bytes
-from ev3proto.text.paste.values import MISSPELT, READINGS, UNLIKELY, WIDTH
+from ev3proto.text.paste.tokens import BYTES, MISSPELT, Token, clean, string_bytes
 
-AROUND = " \t\r\n\f\v,;:|+&/\\\"'`<>()[]{}_-="
-"""What may be around bytes that are alone in a line."""
-
-_OPENERS, _CLOSERS = frozenset("[({<\"'`"), frozenset("])}>\"'`")
 _MOST_STARTS = 8
-_OPENS = re.compile(r"[\[{][\s'\"]*(?:\([\w ]+\)\s?)?$")
-_IS_INDEX = re.compile(r"\w+\s?\]")
-_LESSON = re.compile(r"0[xX]\|")
-_CUT = re.compile(r"(?:\\?x?[0-9a-fA-F])?[\s:|,\"']{0,4}(?:\.{3}|\u2026)")
-_NEXT = re.compile(r"[\s,:;|-]*+(?P<word>[^\s,:;|\"'`\[\](){}<>]+)")
-_REMARK = re.compile(r"\s*(?://|#|;|=|/\*)")
-_BYTES = re.compile(r"(?<!\w)(?:0x)?[0-9a-fA-F]{2}(?!\w)|\\x[0-9a-fA-F]{2}")
 _ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}[:-]){5}[0-9a-fA-F]{2}(?![:-])")
-_OPEN_STRING = re.compile(
-    r"""
-    (?: (?<!\w)b )? (?P<quote>["']) (?= [^"'\\]*\\[xX0-3] )
-    (?P<body> (?: (?!(?P=quote)) [^\\] | \\. )*? )
-    (?P<cut> (?: \\x?[0-9a-fA-F]? )? (?: \.{3} | \u2026 ) )? $
-    """,
-    re.VERBOSE,
+_WORD = re.compile(r"[\s,:;|\"'`-]{0,2}+(\\?\w[^\s,:;|\"'`\[\](){}<>#/]*)")
+_LESSON = re.compile(r"0[xX]\|")
+_WHO_CUTS = (
+    (re.compile(r"\b(?:write|send|sendto|read|recv|recvfrom)\(\d"), "strace cut the string; -s 1024 shows all of it"),
+    (
+        re.compile(r"\{length = \d+, bytes = |(?<![\w<])<[0-9a-f]{8} "),
+        "the description of NSData is cut in the middle; print each byte",
+    ),
 )
-"""A string without its second quote: its bytes, and the ellipsis at which it was cut."""
-_STRACE = re.compile(r"\b(?:write|send|sendto|read|recv|recvfrom)\(\d")
-_NSDATA = re.compile(r"\{length = \d+, bytes = |(?<![\w<])<[0-9a-f]{8} ")
-_MOST_WORD = 4
-_MOST_AROUND = 120
+_SCANNED = str.maketrans("OolIi", "00111")
+"""The digits that are read as letters in scanned pictures."""
+_MISREAD = re.compile(r"(?<![^\W_])(?=\w*[0-9])(?:[0O][xX])?[0-9a-fA-FOolI]*[OolI][0-9a-fA-FOolI]*(?![^\W_])")
 
 
 class Near(NamedTuple):
     """Bytes that are not a frame.
 
-    place    the line, the column where they begin and that after their end
     data     the bytes
+    values   the sequence that they are from, and the part of it
+    part
+    start    where they begin and end in the bytes of the part
+    end
     problem  what is wrong with the text, as a sentence
     cut      the text says that more bytes existed
-    note     who cut it
-    is_strange  `problem` says what they are instead
+    notes    who cut it
     """
 
-    place: tuple[int, int, int]
     data: bytes
+    values: Values
+    part: Part
+    start: int
+    end: int
     problem: str | None = None
     cut: bool = False
-    note: str | None = None
-    is_strange: bool = False
+    notes: tuple[str, ...] = ()
 
 
-def wrong_frame(run: Run, line: str, *, is_row: bool) -> Near | None:
-    """Returns a run as the frame that it was meant as; None where it does not begin like one.
+def near(sequences: Iterable[Values], rows: Sequence[Row]) -> Near | None:
+    """Returns the bytes of some lines that were meant as a frame; None if there are none."""
+    # With expressions among the values, or from any place of several lines, a wrong frame is too much of a guess.
+    tried = [values for values in sequences if not (values.is_guess and (values.has_unknown or len(rows) > 1))]
+    if len(rows) == 1 and (scanned := _scanned(rows[0])):
+        return scanned
+    found = (*islice(_wrong(tried, rows), 1), *islice(_begun(tried, rows), 1))
+    return found[0] if found else None
 
-    Args:
-        run: Values that are not a frame.
-        line: The line with them.
-        is_row: They are the values of several lines, or there is nothing else in the line.
-    """
-    if not run.tokens or run.starts_with_name or (len(run.tokens) == 1 and len(run.tokens[0]) <= 3):
+
+def _scanned(row: Row) -> Near | None:
+    """Returns the bytes in front of a letter that is read for a digit in a scanned picture: `O` for 0, `l` for 1."""
+    slip = _MISREAD.search(row.line)
+    meant = best(of_line(Row(_MISREAD.sub(_corrected, row.line), row.number))) if slip else None
+    if slip is None or meant is None or not meant.worth.natural:
         return None
-    is_alone = is_row or _is_alone(run, line)
-    is_bare = run.notation is NUMBERS and 0 not in run.widths
-    parts = [part for one in run.readings for part in one.parts if len(part.data) >= LEAST]
-    for is_strict, part in product((True, False), parts):
-        is_decimal = is_strict or part.name in UNLIKELY or part.name == "base64" or (is_bare and part.name == "decimal")
-        is_decimal = is_decimal or (is_bare and 1 in run.widths and all(map(str.isdecimal, run.tokens)))
-        owners = part.owners(run)
-        for start in _starts(run, part, line, owners):
-            end = start + 1
-            while end < len(part.data) and (is_alone or owners[end] == owners[end - 1] or owners[end] not in run.edges):
-                end += 1
-            data = part.data[start:end]
-            place = *run.place(owners[start])[:2], run.place(owners[end - 1])[2]
-            is_all = is_alone and start == 0 and end == len(part.data) and 1 not in run.widths
-            if is_all and run.notation is NUMBERS and (said := strange_bytes(data)):
-                return Near(place, b"", said, is_strange=True)
-            if len(data) < LOOKS:
-                continue
-            if part.name == "words" and data[-1:] == b"\0" and frame_size(data) < len(data):
-                data = data[:-1]
-            if end == len(part.data) and run.check_sum is not None and data[-1] == run.check_sum:
-                data = data[:-1]
-            if len(part.data) in REPORT_SIZES:
-                data = data.rstrip(b"\0")
-            if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal):
-                if frame_size(data) > len(data) and end == len(part.data) and not is_row:
-                    return _broken(run, part._replace(data=data), line)._replace(place=place)
-                return Near(place, data)
-    return None
+    part = meant.parts[0]
+    frame = part.frames[0]
+    problem = f"column {slip.start() + 1}: {not_a_byte(slip[0])}"
+    known = (
+        at
+        for token, at in zip(meant.values.tokens[part.first :], part.offsets, strict=False)
+        if token.end > slip.start()
+    )
+    end = next(known, frame.end)
+    return Near(part.data[frame.start : end], meant.values, part, frame.start, max(end, frame.start + 1), problem)
 
 
-def _starts(run: Run, part: Part, line: str, owners: Sequence[int]) -> list[int]:
-    """Returns the offsets at which a frame may begin: in an array where it opens, otherwise at any edge."""
-    starts = [at for at in starts_of(run, part) if at < len(part.data)][:_MOST_STARTS]
-    for at in starts:
-        number, column, _ = run.place(owners[at])
-        if (
-            number == run.number
-            and _OPENS.search(line, max(0, column - _MOST_AROUND), column)
-            and not _IS_INDEX.match(line, column)
-        ):
-            return [at]
-    return starts
+def _corrected(found: re.Match[str]) -> str:
+    return found[0].translate(_SCANNED)
 
 
-def _is_alone(run: Run, line: str) -> bool:
-    """Returns whether a run is a literal, an array, or all of a line but for what introduces it."""
-    if run.notation is not NUMBERS:
+def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
+    """Yields bytes that are a frame but for their header, or of which the end is missing."""
+    for values in sequences:
+        for base in values.bases:
+            for part in values.parts(base):
+                for start, end in _extents(values, part):
+                    data = part.data[start:end]
+                    is_listed = values.is_guess and not values.breaks
+                    is_digest = len(part.offsets) == 2 and len(data) in HASHES
+                    is_alone = (
+                        len(rows) > 1 or is_listed or (not is_digest and _is_alone(values, part, start, end, rows[0]))
+                    )
+                    is_decimal = base in ("bits", "octal", "words") or (base == "decimal" and any(values.widths))
+                    if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal) and not _is_strange(data):
+                        yield _with_stop(Near(data, values, part, start, end), base, rows)
+
+
+def _extents(values: Values, part: Part) -> Iterator[tuple[int, int]]:
+    """Yields the bytes of literals, then those of lists, which a slip ends, then those between two breaks."""
+    if len(part.data) < LOOKS:
+        return
+    is_torn = values.is_torn(part)
+    extents = [one for one in islice(values.between_breaks(part), _MOST_STARTS) if one[1] - one[0] >= LOOKS]
+    literals = [
+        (start, end)
+        for start, end in extents
+        if values.span(part, start, end)[0] is values.span(part, start, end)[1]
+        and frame_size(part.data, start) <= end - start + LENGTH_FIELD
+    ]
+    if any(is_torn):
+        bad = (0 if is_torn[0] else -1, len(part.data) if is_torn[1] else -1)
+        yield from (one for one in extents if one[0] != bad[0] and one[1] != bad[1])
+        return
+    yield from literals
+    edges = [place for place in values.breaks if place in values.opens or _has_slip(values, place)]
+    starts = [part.offsets[place - part.first] for place in edges if part.first < place < part.last]
+    lists = [] if literals else [*pairwise((0, *starts[:_MOST_STARTS], len(part.data)))]
+    yield from lists
+    yield from (one for one in extents if one not in lists)
+
+
+def _has_slip(values: Values, place: int) -> bool:
+    """Returns whether there is a word in front of a value that was meant as a value, too."""
+    word = _WORD.match(values.tokens[place].gap)
+    return word is not None and _is_slip(word[1], values.tokens[place - 1].text)
+
+
+def _is_strange(data: bytes) -> bool:
+    return strange_bytes(data) is not None
+
+
+def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> bool:
+    """Returns whether bytes are a literal, an array, or all of a line but for what introduces it."""
+    first, last = values.span(part, start, end)
+    before, after = row.around(first)[0], row.around(last)[1]
+    starts = [token.start for token in row.tokens[: 1 + row.is_offset]]
+    is_all = first.start in starts and last.end == max(token.end for token in row.tokens if token.kind != "cut")
+    if first == last or (
+        is_all and (first.start != starts[0] or not before.strip(AROUND + "x0b")) and not after.strip(AROUND)
+    ):
         return True
-    start = max(0, run.start - _MOST_AROUND)
-    before, after = line[start : run.start], line[run.end : run.end + _MOST_AROUND].lstrip(" ,;|:")
-    if not before.strip(AROUND) and (not after.strip(AROUND) or _REMARK.match(after)):
+    if after.lstrip(" ,;|:")[:1] in tuple("])}>\"'`") and any(sign in before for sign in "[({<\"'`"):
         return True
-    if run.widths == {0} and not after.strip(AROUND):
+    return head_of(row.line[: first.start]).direction is not None
+
+
+def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
+    """Yields bytes that break off at a slip, an ellipsis, or the end of the line."""
+    line = rows[0].line
+    for values in sequences:
+        for base in values.bases[:2] if values.bases[0] != "base64" else ():
+            for part in islice(_parts(values, base), _MOST_STARTS):
+                is_cut = part.last < len(values.tokens) and values.tokens[part.last].kind == "cut"
+                for start, end in islice(values.between_breaks(part), _MOST_STARTS):
+                    end = len(part.data) if is_cut else end
+                    data, (first, _) = part.data[start:end], values.span(part, start, end)
+                    before = line[: first.start] if first.line == rows[0].number else ""
+                    if _ADDRESS.match(line, first.start):
+                        continue
+                    found = _with_stop(Near(data, values, part, start, end), base, rows)
+                    if _is_meant(found, values, before) and not _is_strange(data):
+                        yield found
+    if lesson := _LESSON.match(line.lstrip()):
+        word = _WORD.match(line, at := line.index("|") + 1)
+        if word is not None and BYTES["hex"][word[1]] is None and rows[0].tokens:
+            first = rows[0].tokens[0]
+            problem = f"column {at + 1}: {not_a_byte(word[1])}"
+            yield Near(b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem)
+        assert lesson
+
+
+def _parts(values: Values, base: str) -> Iterator[Part]:
+    """Yields the parts of a sequence, and the values that have bytes only in front of a slip."""
+    found = list(values.parts(base))
+    yield from found
+    begun = {part.last for part in found}
+    for place, token in enumerate(values.tokens):
+        if place not in begun and (data := _partial(token)[0]):
+            yield Part(place, data, [0, len(data)], [])
+
+
+def _is_meant(found: Near, values: Values, before: str) -> bool:
+    """Returns whether bytes in front of a slip or an end were meant as a frame."""
+    is_lesson = before.endswith(("0x|", "0X|"))
+    is_said = bool(before.strip()) and is_head(before) and head_of(before).direction is not None
+    data, is_stopped = found.data, found.cut or found.problem is not None
+    is_counted = bool({1, 3} & {*values.widths}) and data[LEAST - 1 :] < b"\x80"
+    if is_prose(data) and not is_lesson:
+        return False
+    if len(data) >= (2 if is_lesson else LEAST) and may_begin(data) and not is_counted:
         return True
-    if after[:1] in _CLOSERS and not _OPENERS.isdisjoint(before):
-        return True
-    return head_before(line, start, run.start).direction is not None
+    is_listed = not {1, 3} & {*values.widths} or before.rstrip().endswith(("[", "{", "("))
+    return (is_said and is_stopped and is_listed and len(data) > 1) or (is_lesson and is_said and is_stopped)
 
 
-def bare(run: Run, line: str) -> Near | None:
-    """Returns what a line of nothing but bytes is without its header; None for other lines."""
-    is_dull = len(run.tokens) > 1 and len({*run.tokens}) < LEAST - 1
-    is_counted = run.widths != {2} and all(map(str.isdecimal, run.tokens))
-    if run.notation is BASE64 or 1 in run.widths or run.starts_with_name or is_dull or is_counted:
+def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
+    """Returns bytes with what is wrong behind them: a slip, or an ellipsis."""
+    tokens, part = found.values.tokens, found.part
+    if len(found.data) > 1 and frame_size(found.data) <= len(found.data):
+        return found
+    lines = {row.number: row.line for row in rows}
+    _, last = found.values.span(part, found.start, found.end)
+    place = next((at for at, offset in enumerate(part.offsets) if offset >= found.end), 0) + part.first
+    follows = tokens[place] if place < len(tokens) else None
+    if follows is not None and follows.kind == "cut":
+        is_half = len(last.text) == 1 and place > 1 and len(tokens[place - 2].text) == 2
+        found = found._replace(data=found.data[:-1], end=found.end - 1) if is_half else found
+        notes = tuple(note for pattern, note in _WHO_CUTS if pattern.search(lines[last.line]))
+        return found._replace(cut=True, notes=notes)
+    if follows is not None and found.end == len(part.data) and BYTES[base][follows.text] is None:
+        data, column, problem, cut = _partial(follows)
+        where = f"line {follows.line - rows[0].number + 1}, " if follows.line != last.line else ""
+        says = None if cut else f"{where}column {column + 1}: {problem}"
+        return found._replace(data=found.data + data, problem=says, cut=cut)
+    alone = _partial(last)
+    if alone[0] and BYTES[base][last.text] is None:
+        return found._replace(problem=None if alone[3] else f"column {alone[1] + 1}: {alone[2]}", cut=alone[3])
+    word = _WORD.match(lines[last.line], last.end)
+    if word is not None and _is_slip(word[1], last.text) and (follows is None or follows.start > word.start(1)):
+        return found._replace(
+            problem=f"column {word.start(1) + 1}: {not_a_byte(word[1], is_hex=last.kind == 'digits')}"
+        )
+    return found
+
+
+def _is_slip(word: str, value: str) -> bool:
+    """Returns whether a word was meant as a value like the one in front of it."""
+    return (len(word) == len(value) or word[:2] in ("0x", "\\x")) and BYTES["hex"][word] is None
+
+
+def _partial(token: Token) -> tuple[bytes, int, str, bool]:
+    """Returns the bytes in front of a slip in a value, the slip's column, what it is, and whether the value is cut."""
+    if token.kind == "open":
+        body = token.text.rstrip(". \u2026") if token.text.rstrip().endswith(("...", "\u2026")) else token.text
+        mark = next(sign for sign in token.text if sign in "\"'")
+        data = string_bytes(body[body.index(mark) + 1 :], "hex") or b""
+        return data, token.start, "the string that starts here never ends", body != token.text
+    if slip := MISSPELT.search(token.text):
+        at = slip.start("escape")
+        mark = next((sign for sign in token.text[:at] if sign in "\"'`"), "")
+        data = string_bytes(token.text[token.text.index(mark) + 1 if mark else 0 : at], "hex") or b""
+        return data, token.start + at, not_a_byte(slip["escape"]), False
+    digits = token.text[: len(token.text) & ~1]
+    is_odd = _is_hex(token.text) and len(token.text) > 4 and len(token.text) % 2 == 1
+    return bytes.fromhex(digits) if is_odd else b"", token.start, not_a_byte(token.text), False
+
+
+def told(row: Row) -> str | None:
+    """Returns what a line of nothing but bytes is, if it is no frame: one without its header, or something else."""
+    values = Values(row.tokens)
+    part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
+    if part is None or part.last < len(values.tokens) or part.first:
         return None
-    if (line[: run.start] + line[run.end :]).strip(AROUND):
+    first, last = values.span(part, 0, len(part.data))
+    before = row.line[: first.start]
+    if row.line[last.end :].strip(AROUND) or (before.strip(AROUND + "xb") and head_of(before).direction is None):
         return None
-    data = run.likely_data()
-    is_hash = data is not None and (len(data) == 6 or (len(run.tokens) == 1 and len(data) in HASHES))
-    problem = None if data is None or is_hash else bare_reason(data)
-    return None if problem is None else Near((run.number, run.start, run.end), b"", problem)
+    widths = {*values.widths}
+    is_counted = widths != {2} and all(token.text.isdecimal() for token in values.tokens)
+    if first.kind == "string" or (first.kind == "marked" and first.text[0].isalpha()) or 1 in widths or is_counted:
+        return None  # operations by their names are assembly
+    is_hash = (len(values.tokens) == 1 and len(part.data) in HASHES) or _ADDRESS.match(row.line, first.start)
+    is_dull = len(values.tokens) > 1 and len({*part.data}) < LEAST - 1
+    return strange_bytes(part.data) or (None if is_hash or is_dull else bare_reason(part.data))
 
 
-def broken(run: Run, line: str, *, is_sure: bool) -> Near | None:
-    """Returns a piece that breaks off, or that is shorter than a frame; None where it may be anything.
-
-    Args:
-        run: Values.
-        line: The line with them.
-        is_sure: They are known to be meant as bytes, however few.
-    """
-    head = clean_head(line)
-    lesson = _LESSON.search(line)
-    # Bytes are expected after the lesson's mark, and after what a log says in front of them.
-    is_lesson = lesson is not None and lesson.start() <= head.end <= lesson.end()
-    is_first = run.start <= max(head.end, lesson.end() if lesson and is_lesson else 0)
-    if is_lesson and lesson is not None and not is_first and not line[lesson.end() : run.start].isspace():
-        word = line[lesson.end() : run.start].strip(AROUND)
-        return Near((run.number, lesson.start(), run.end), b"", f"column {lesson.end() + 1}: {_not_a_byte(word)}")
-    if _ADDRESS.match(line, run.start) and not is_sure:
-        return None
-    if not run.names:
-        return None
-    near = _broken(run, _longest(run), line)
-    if is_prose(near.data) and near.data and not is_sure and not is_lesson:
-        return None
-    is_log = is_first and head.is_log and head.direction is not None
-    if near.problem is not None:
-        is_worth = len(near.data) >= LEAST - 1 and may_begin(near.data) and not _is_counted(run, near.data)
-        is_listed = not {1, 3} & run.widths or line[: run.start].rstrip().endswith(tuple(_OPENERS))
-        is_number = len(run.tokens) == 1 and run.tokens[0].isdecimal()
-        is_meant = (is_first and head.is_log and bool(near.data) and is_listed and not is_number) or is_lesson
-        return near if is_sure or is_worth or is_meant else None
-    is_end = near.cut or not line[run.end :].strip(AROUND)
-    is_log = is_log and not {1, 3} & run.widths
-    is_meant = is_sure or (is_end and len(near.data) >= 2 and ((is_first and is_lesson) or is_log))
-    is_array = _is_alone(run, line) and not _is_counted(run, near.data)
-    is_meant = is_meant or ((near.cut or is_array) and len(near.data) >= LEAST and may_begin(near.data))
-    return near if is_meant and near.data else None
-
-
-def _is_counted(run: Run, data: bytes) -> bool:
-    """Returns whether bytes are rather small numbers, which code has for everything."""
-    return bool({1, 3} & run.widths) and data[LEAST - 1 :] < b"\x80"
-
-
-def _longest(run: Run) -> Part:
-    """Returns the reading that gives bytes for the most values from the first on."""
-    names = [name for name in run.names if name not in UNLIKELY] or run.names
-    found = [Part(name, 0, len(run.tokens), b"", []) for name in names]
-    for place, part in enumerate(found):
-        pieces = []
-        for token in run.tokens:
-            data = READINGS[part.name][token]
-            if data is None:
-                break
-            pieces.append(data)
-        found[place] = part._replace(last=len(pieces), data=b"".join(pieces))
-    return max(found, key=lambda part: part.last)
-
-
-def _broken(run: Run, part: Part, line: str) -> Near:
-    """Returns the bytes of a run up to the first value that has none, or to what follows the run."""
-    number, start, _ = run.place(part.first)
-    data, problem, cut, end, note = part.data, None, False, run.end, None
-    if part.last < len(run.tokens):
-        token = run.tokens[part.last]
-        number_of_bad, column, end = run.place(part.last)
-        if run.notation is STRINGS and (slip := MISSPELT.search(token)):
-            at = slip.start("escape")
-            data += READINGS["string"][token[:at] + (token[-1] if token[-1] in "\"'`" else "")] or b""
-            column, problem = column + at, _not_a_byte(slip["escape"])
-        else:
-            digits = token[: len(token) & ~1]
-            data += bytes.fromhex(digits) if WIDTH[token] > 1 and len(token) > 3 else b""
-            problem = _not_a_byte(token)
-        where = f"line {number_of_bad - number + 1}, " if number_of_bad != number else ""
-        return Near((number, start, end), data, f"{where}column {column + 1}: {problem}")
-    if found := _CUT.match(line, run.end):
-        cut, end, note = True, found.end(), _who_cut(line)
-        if WIDTH[run.tokens[-1]] == 1 and len(run.tokens) > 1 and WIDTH[run.tokens[-2]] == 2:
-            # Half a byte.
-            data = data[:-1]
-    elif (found := _NEXT.match(line, run.end)) and not _REMARK.match(line, run.end):
-        word = found["word"]
-        is_closed = run.notation is STRINGS and run.tokens[-1][-1] in "\"'`"
-        is_short = (len(word) <= _MOST_WORD or word.startswith("0x")) and not is_closed
-        is_among = is_short and (_BYTES.search(line, found.end()) or len(word) == len(run.tokens[-1]))
-        if is_among or word[:2] in ("\\x", "\\X"):
-            problem = f"column {found.start('word') + 1}: {_not_a_byte(word, is_hex=0 not in run.widths)}"
-    return Near((number, start, end), data, problem, cut, note)
-
-
-def _not_a_byte(word: str, *, is_hex: bool = True) -> str:
+def not_a_byte(word: str, *, is_hex: bool = True) -> str:
     """Returns what is wrong with a value, as a sentence."""
     digits = word.removeprefix("0x").removeprefix("0X")
     has_digits = not digits.strip("0123456789abcdefABCDEF")
-    if word[:2] in ("\\x", "\\X"):
-        return f"{word[:4]!r} is not an escape: two hex digits follow \\x"
+    if slip := MISSPELT.search(word):
+        return f"{slip['escape']!r} is not an escape: two hex digits follow \\x"
     if (word.isdecimal() and len(word) == 3) or (has_digits and digits != word):
         return f"{short(word)!r} is more than 255, which a byte cannot be"
     if has_digits and len(digits) % 2:
         return f"{short(word)!r} has an odd number of hex digits ({len(digits)}); two make a byte"
-    return f"{short(word)!r} is not {'hex' if is_hex else 'a number'}"
+    meant = digits.translate(_SCANNED)
+    help_text = f"; did you mean {word[: -len(digits)] + meant!r}?" if _is_hex(meant) and meant != digits else ""
+    return f"{short(word)!r} is not {'hex' if is_hex else 'a number'}{help_text}"
 
 
-def unclosed(line: str, number: int) -> Near | None:
-    """Returns the bytes of a string without its second quote, which was cut or forgotten."""
-    found = _OPEN_STRING.search(line)
-    if found is None:
-        return None
-    data = READINGS["string"][found["body"]] if found["body"] else None
-    if not data or not (may_begin(data) or ((head := clean_head(line)).is_log and head.direction)):
-        return None
-    problem = None if found["cut"] else f"column {found.start() + 1}: the string that starts here never ends"
-    return Near((number, found.start(), found.end()), data, problem, found["cut"] is not None)
+def _is_hex(text: str) -> bool:
+    return bool(text) and not text.strip("0123456789abcdefABCDEF")
 
 
-def _who_cut(line: str) -> str | None:
-    """Returns who cut the bytes of a line, and how to get all of them."""
-    if _STRACE.search(line):
-        return "strace cut the string; -s 1024 shows all of it"
-    if _NSDATA.search(line):
-        return "the description of NSData is cut in the middle; print each byte"
-    return None
+# Bytes that are known to be meant as such
+
+
+def bytes_in(line: str) -> bytes:
+    """Returns the bytes of the values in a line, in their likeliest base, whether they are a frame or not."""
+    row = Row(clean(line), 0)
+    found = (part.data for values in of_line(row) for base in values.bases[:2] for part in values.parts(base))
+    return max(found, key=len, default=b"")
+
+
+_NO_DIGIT = re.compile(r"(?!^0[xX])(?<!^0)[^0-9a-fA-F]")
+
+
+def as_given(line: str) -> Pasted:
+    """Returns the bytes of a line that has no frame, but is known to be meant as bytes, however few."""
+    row = Row(clean(line), 1)
+    shown = short(line, MAX_TEXT)
+    values = Values(row.tokens)
+    for base in values.bases[:2]:
+        for part in islice(_parts(values, base), 1):
+            before = row.line[: values.tokens[part.first].start]
+            if part.first or (before.strip(AROUND + "x0b") and not is_head(before)):
+                continue
+            found = _with_stop(Near(part.data, values, part, 0, len(part.data)), base, [row])
+            return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem)
+    if row.tokens and row.is_bare:
+        _, column, problem, _ = _partial(row.tokens[0])
+        return Pasted(b"", 1, shown, problem=f"column {column + 1}: {problem}")
+    if not line.strip():
+        return Pasted(b"", 1, "", problem="it is empty")
+    word = line.split()[0].rstrip("\"'`)]}>;,")
+    problem = f"column 1: {short(word)!r} is not hex" if word.strip("-") else "column 1: it contains no readable bytes"
+    if len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
+        problem = f"column {strange.start() + 1}: {strange[0]!r} is not a hex digit"
+    return Pasted(b"", 1, shown, problem=problem)

@@ -1,0 +1,276 @@
+"""Sequences of values, and the frames in them: which of the values are bytes, in which base, and what is likeliest.
+
+Nothing here knows a notation. The values of a line are tried in several ways, all of them, every second, every third;
+those of consecutive lines are lined up. Each sequence is tried in each base. What has the frames wins (`Worth`).
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property, lru_cache, partial
+from itertools import accumulate, pairwise
+from typing import NamedTuple
+
+from ev3proto.schema.header import with_length
+from ev3proto.tables.frame import LENGTH_FIELD
+from ev3proto.text.paste.frames import Edges, Frame, frames_in, is_command, is_flawless, is_sure
+from ev3proto.text.paste.pieces import LEAST
+from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
+
+_CALL = re.compile(r"[\w.]+\s?\(|\)")
+_NO_MATTER = str.maketrans("", "", ":|+")
+_QUOTES = re.compile(r"[\"'`,]")
+_OPENING = re.compile(r"^[^+;]*[\[{(<]\W*$")
+_DECIMAL_ESCAPE = re.compile(r"\\\d{0,2}[89]")
+_FEW = 2
+_WIDE = 7
+"""Blanks that separate columns, not values."""
+
+
+@lru_cache(1024)
+def shape(gap: str) -> str:
+    """Returns what matters of a gap: not its few blanks, nor a call, nor which of its two signs the lesson uses."""
+    plain = "".join(_CALL.sub("", gap).split()).replace("0x|", "").translate(_NO_MATTER)
+    return f"{plain} " if " " * _WIDE in gap else plain
+
+
+class Part(NamedTuple):
+    """Values of a sequence that all have bytes in a base.
+
+    first    the place of the first value
+    data     their bytes
+    offsets  where each value begins, and where the last one ends
+    frames   the frames in them
+    """
+
+    first: int
+    data: bytes
+    offsets: list[int]
+    frames: list[Frame]
+
+    @property
+    def last(self) -> int:
+        """The place after the last value."""
+        return self.first + len(self.offsets) - 1
+
+
+class Values:
+    """A sequence of values, with what the text says of their places.
+
+    Attributes:
+        tokens: The values.
+        bases: The bases that they may have, the likeliest first.
+        rows: The places of the values that begin a line, but for the first.
+        is_guess: Some values of the lines are left out, so that only what is surely a frame counts.
+    """
+
+    def __init__(
+        self,
+        tokens: Sequence[Token],
+        *,
+        bases: Sequence[str] | None = None,
+        rows: frozenset[int] = frozenset(),
+        is_guess: bool = False,
+    ) -> None:
+        self.tokens, self.rows, self.is_guess = tokens, rows, is_guess
+        self.bases = _bases(tokens) if bases is None else bases
+
+    @cached_property
+    def has_unknown(self) -> bool:
+        """Whether some of their bytes are not given."""
+        return any(token.kind == "unknown" for token in self.tokens)
+
+    @cached_property
+    def widths(self) -> list[int]:
+        """The digits of each value; 0 for those that say themselves what they are."""
+        return [len(token.text) if token.kind == "digits" else 0 for token in self.tokens]
+
+    @cached_property
+    def breaks(self) -> list[int]:
+        """The places of the values in front of which something changes: the usual gap, or how values are written."""
+        shapes = [shape(token.gap) for token in self.tokens]
+        usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
+        strings = [token.kind == "string" for token in self.tokens]
+        is_pair = len(shapes) == 2 and not any(strings) and not any(map(str.isalpha, usual))
+        usual = usual if count > 1 or is_pair else ""
+        widths = self.widths
+        return [
+            place
+            for place in range(1, len(shapes))
+            if place not in self.rows
+            and (
+                shapes[place] != usual
+                or strings[place - 1] != strings[place]
+                or (min(widths[place - 1 : place + 1]) >= 2 * LEAST and _QUOTES.search(self.tokens[place].gap))
+                or (place == 1 and widths[0] > max(3, widths[1]) and widths[1] > 0)
+                or min(widths[place - 1 : place + 1]) < LEAST <= max(widths[place - 1 : place + 1]) // 2
+            )
+        ]
+
+    @cached_property
+    def opens(self) -> list[int]:
+        """The places of the values in front of which a list opens."""
+        return [place for place in self.breaks if _OPENING.search(_CALL.sub("", self.tokens[place].gap))]
+
+    def parts(self, base: str) -> Iterator[Part]:
+        """Yields the values that have bytes in a base, from each that has none to the next."""
+        table = BYTES[base]
+        found = [table[token.text] for token in self.tokens]
+        ends = [place for place, data in enumerate(found) if data is None] if None in found else []
+        for before, end in pairwise((-1, *ends, len(found))):
+            values = found[before + 1 : end]
+            data = b"".join(values)  # type: ignore[arg-type]
+            if self.has_unknown and len(data) > LENGTH_FIELD and unknown_bytes(self.tokens[before + 1])[:1] == [True]:
+                data = with_length(data[LENGTH_FIELD:])  # an unknown length is the one that fits
+            if not data:
+                continue
+            if not self.has_unknown or any(
+                not all(unknown_bytes(token) or [False]) for token in self.tokens[before + 1 : end]
+            ):
+                yield Part(before + 1, data, [0, *accumulate(map(len, values))], [])  # type: ignore[arg-type]
+
+    def is_torn(self, part: Part) -> tuple[bool, bool]:
+        """Returns whether the values before and behind a part are written like those in it, but have no bytes."""
+        before, after = part.first - 1, part.last
+        return (
+            before >= 0 and self.widths[before] > 0 and part.first not in self.breaks,
+            after < len(self.tokens) and self.widths[after] > 0 and after not in self.breaks,
+        )
+
+    def edges(self, part: Part) -> Edges:
+        """Returns where frames may begin and end in a part."""
+        breaks, opens = (
+            [
+                part.offsets[place - part.first]
+                for place in places[bisect_right(places, part.first) : bisect_left(places, part.last)]
+            ]
+            for places in (self.breaks, self.opens)
+        )
+        return Edges(breaks, part.offsets, opens, self.is_torn(part))
+
+    def row_offsets(self, part: Part) -> set[int]:
+        """Returns the offsets of the values that begin a line."""
+        if not self.rows:
+            return set()
+        return {part.offsets[place - part.first] for place in self.rows if part.first < place < part.last}
+
+    def between_breaks(self, part: Part) -> Iterator[tuple[int, int]]:
+        """Yields where the bytes between two breaks begin and end."""
+        places = pairwise((0, *self.edges(part).breaks, len(part.data)))
+        return ((start, end) for start, end in places if start < end)
+
+    def span(self, part: Part, start: int, end: int) -> tuple[Token, Token]:
+        """Returns the first and the last value of some bytes."""
+        first, last = bisect_right(part.offsets, start) - 1, bisect_left(part.offsets, end) - 1
+        return self.tokens[part.first + first], self.tokens[part.first + last]
+
+
+_NEEDED = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
+"""The digits that one value must have to be read in a base."""
+
+
+def _bases(tokens: Sequence[Token]) -> Sequence[str]:
+    """Returns the bases that values may have, the likeliest first."""
+    kinds = {token.kind for token in tokens}
+    bare = [token.text for token in tokens if token.kind == "digits"]
+    if len(bare) > 1 and len(bare[0]) >= 4 and max(map(len, bare[1:])) < 4:
+        bare = bare[1:]  # an offset
+    quoted = ("unquoted",) if "character" in kinds else ()
+    if not bare:
+        if any(token.kind == "string" and _DECIMAL_ESCAPE.search(token.text) for token in tokens):
+            return ("decimal", "hex", *quoted)
+        return ("hex", "decimal", *quoted) if "string" in kinds else ("hex", *quoted)
+    widths = {*map(len, bare)}
+    most = max(widths)
+    if most == 8 and {*"".join(bare)} <= {"0", "1"}:
+        return ("bits",) if len(bare) > _FEW else ("bits", "hex")
+    is_signed = any(token.text[0] == "-" for token in tokens)
+    is_padded = not is_signed and (
+        (widths == {2} and len(bare) == len(tokens))
+        or most >= 4
+        or any(len(one) == 2 and one[0] == "0" for one in bare)
+    )
+    if widths == {2} and is_padded and any(one[0] == "0" for one in bare):
+        return ("hex", *quoted)
+    others = [base for base, needed in _NEEDED if most >= needed]
+    return ("hex", "decimal", *others, *quoted) if is_padded else ("decimal", "hex", *others, *quoted)
+
+
+class Worth(NamedTuple):
+    """What makes one reading likelier than another; the first that differs decides.
+
+    is_whole  all frames begin where the text suggests it, and nothing is left but zeros: hardly by chance
+    natural   the bytes of frames that begin where the text suggests it: others may be a part of something else
+    size      the bytes of all frames: what explains more is likelier
+    """
+
+    is_whole: bool = False
+    natural: int = 0
+    size: int = 0
+
+
+class Reading(NamedTuple):
+    """A sequence in a base, and its parts that have frames."""
+
+    worth: Worth
+    values: Values
+    base: str
+    parts: list[Part]
+
+
+def best(sequences: Iterable[Values]) -> Reading | None:
+    """Returns the likeliest reading with frames; the first of those that are worth the same."""
+    found: Reading | None = None
+    for values in sequences:
+        for base in values.bases:
+            reading = _read(values, base)
+            if reading.worth.size and (found is None or reading.worth > found.worth):
+                found = reading
+                if reading.worth.is_whole:
+                    return found
+    return found
+
+
+def _is_likely(frame: bytes, values: Values, base: str, *, is_all: bool) -> bool:
+    """Returns whether a frame is hardly one by chance, in values that may be anything."""
+    if values.is_guess and values.has_unknown:
+        known = sum(token.kind != "unknown" for token in values.tokens)
+        return known * 2 > len(values.tokens) and is_command(frame) and is_sure(frame)
+    if is_all and base != "base64":
+        return is_flawless(frame)
+    return (
+        is_sure(frame) and (is_all or is_command(frame)) if values.is_guess or base == "base64" else is_flawless(frame)
+    )
+
+
+def _read(values: Values, base: str) -> Reading:
+    is_bare_decimal = base == "decimal" and any(values.widths)
+    is_trusted = 1 not in values.widths and (not is_bare_decimal or {*values.widths} == {3})
+    parts = []
+    for part in values.parts(base):
+        if len(part.data) < LEAST:
+            continue
+        is_given = is_trusted and not any(values.is_torn(part))
+        frames = frames_in(part.data, partial(values.edges, part), is_trusted=is_given)
+        if base in UNLIKELY or values.is_guess:
+            frames = [frame for frame in frames if frame.is_natural or base not in UNLIKELY]
+            is_all = (
+                len(frames) == 1
+                and frames[0][:2] == (0, len(part.data))
+                and part.last - part.first == len(values.tokens)
+            )
+            frames = [one for one in frames if _is_likely(part.data[one.start : one.end], values, base, is_all=is_all)]
+        if is_bare_decimal:
+            frames = [frame for frame in frames if frame.is_natural]
+        if frames:
+            parts.append(part._replace(frames=frames))
+    if not parts:
+        return Reading(Worth(), values, base, parts)
+    last = parts[-1]
+    natural = sum(frame.end - frame.start for part in parts for frame in part.frames if frame.is_natural)
+    size = sum(frame.end - frame.start for part in parts for frame in part.frames)
+    has_rest = last.last < len(values.tokens) or any(last.data[last.frames[-1].end :])
+    return Reading(Worth(natural == size and not has_rest, natural, size), values, base, parts)

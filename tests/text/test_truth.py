@@ -1,0 +1,119 @@
+"""Texts of which it is known what they hold: frames of many kinds, right and wrong, in every form; and none."""
+
+from __future__ import annotations
+
+import random
+from itertools import product
+
+from support.cases import each
+from support.notations import FORMS
+from support.typical import COMMANDS, SYSTEM, frame, with_length
+
+import ev3proto
+from ev3proto.text.paste import Pasted, read_text
+
+CONTENTS = [*COMMANDS.values(), *SYSTEM.values()]
+AMBIGUOUS = {"Lua": "digits without an 8 or 9 are octal", "hexdump": "words have an even number of bytes"}
+"""Forms in which a wrong length may be the right one of other bytes."""
+WITHOUT_ENDS = ("Add", "index and number")
+"""Forms in which nothing tells where one frame ends and the next begins."""
+
+
+def pieces(text: str) -> list[Pasted]:
+    return list(read_text(text.splitlines(keepends=True)))
+
+
+def drawn(*seed: object) -> random.Random:
+    return random.Random(repr(seed))
+
+
+def frames_of(*seed: object, count: int = 5) -> list[bytes]:
+    rng = drawn(*seed)
+    return [frame(rng.choice(CONTENTS), rng.randrange(1 << 16)) for _ in range(count)]
+
+
+def without_padding(data: bytes) -> bytes:
+    size = int.from_bytes(data[:2], "little") + 2
+    return data if any(data[size:]) else data[:size]
+
+
+@each("name, frame", [(name, one) for name in FORMS for one in frames_of("right", name)])
+def test_a_right_frame_gives_its_bytes(name: str, frame: bytes) -> None:
+    assert [(without_padding(one.data), one.problem) for one in pieces(FORMS[name](frame))] == [(frame, None)]
+
+
+@each("name, frame", [(name, one) for name in FORMS for one in frames_of("more", name)])
+def test_a_right_frame_with_more_bytes_is_never_accepted(name: str, frame: bytes) -> None:
+    rng = drawn("more", name, frame)
+    more = bytes(rng.randrange(1, 256) for _ in range(rng.randint(1, 3)))
+    found = pieces(FORMS[name](frame + more))
+    assert found
+    assert any(one.problem is not None or ev3proto.check(one.data).findings for one in found), found
+
+
+@each("name, frame", [(name, one) for name in FORMS if name not in AMBIGUOUS for one in frames_of("length", name)])
+def test_a_length_that_counts_itself_is_named(name: str, frame: bytes) -> None:
+    wrong = with_length(frame, len(frame))
+    (piece,) = pieces(FORMS[name](wrong))
+    assert (without_padding(piece.data), piece.problem) == (wrong, None)
+    assert "E102" in {finding.code for finding in ev3proto.check(piece.data).findings}
+
+
+@each("name, frames", [(name, frames_of("between", name, count=3)) for name in FORMS if name not in WITHOUT_ENDS])
+def test_a_wrong_frame_between_two_right_ones_is_spoken_of(name: str, frames: list[bytes]) -> None:
+    first, second, third = frames
+    for wrong in (with_length(second, len(second)), second + b"\x07"):
+        texts = [FORMS[name](one) for one in (first, wrong, third)]
+        starts = [1, 2 + texts[0].count("\n"), 3 + texts[0].count("\n") + texts[1].count("\n")]
+        found = pieces("\n".join(texts))
+        for start, end in zip(starts, [*starts[1:], 1 << 20], strict=True):
+            assert any(start <= one.line < end for one in found), (start, found)
+        assert [without_padding(one.data) for one in (found[0], found[-1])] == [first, third]
+
+
+WORDS = ("sensor", "motor", "port", "battery", "volume", "channel", "socket", "service", "started", "timeout")
+
+
+class Drawn:
+    """Lines of other texts."""
+
+    def __init__(self, rng: random.Random) -> None:
+        self.rng = rng
+
+    def number(self, most: int = 99_999) -> int:
+        return self.rng.randrange(most)
+
+    def log(self) -> str:
+        time = f"11-25 22:{self.number(60):02}:{self.number(60):02}.{self.number(1000):03}"
+        words = " ".join(self.rng.choices(WORDS, k=5))
+        return (
+            f"{time}  {self.number()} {self.number()} D Ev3: {words} {self.number()} 0x{self.rng.getrandbits(32):08x}"
+        )
+
+    def price(self) -> str:
+        amount = f"{self.number(9)},{self.number(1000):03}.{self.number(100):02}"
+        return f"{self.rng.choice(WORDS)}, {self.number(20)} x {self.number(90)}.{self.number(100):02}, {amount} EUR"
+
+    def date(self) -> str:
+        day = f"{2000 + self.number(30)}-{1 + self.number(12):02}-{1 + self.number(28):02}"
+        return f"{day}T{self.number(24):02}:{self.number(60):02}:{self.number(60):02}Z"
+
+    def digest(self) -> str:
+        return f"{self.rng.getrandbits(self.rng.choice((128, 160, 256))):032x}  {self.rng.choice(WORDS)}.bin"
+
+    def version(self) -> str:
+        numbers = f"{self.number(9)}.{self.number(20)}.{self.number(99)}-{self.number(9)}"
+        return f"{self.rng.choice(WORDS)} {numbers}+deb{self.number(13)}u{self.number(4)}"
+
+    def address(self) -> str:
+        mac = ":".join(f"{self.number(256):02x}" for _ in range(6))
+        return f"{self.rng.choice(WORDS)} at {mac}, 192.168.{self.number(256)}.{self.number(256)}"
+
+
+@each(
+    "kind, number", product((Drawn.log, Drawn.price, Drawn.date, Drawn.digest, Drawn.version, Drawn.address), range(99))
+)
+def test_other_texts_have_no_frames(kind: object, number: int) -> None:
+    assert callable(kind)
+    lines = [kind(Drawn(drawn(number, row))) for row in range(5)]
+    assert pieces("\n".join(lines)) == []

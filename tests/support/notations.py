@@ -196,7 +196,7 @@ FORMS: dict[str, Callable[[bytes], str]] = {
         + _dump(data, 8, "", lambda row: _each(row, "0x{:02x}", ", ")).replace("\n", ",\n")
         + " };"
     ),
-    "openssl": lambda data: _dump(data, 15, "    ", lambda row: row.hex(":")).replace("\n", ":\n"),
+    "openssl": lambda data: _dump(data, 15, "    ", lambda row: row.hex(":") + ":"),
     "gdb's x": lambda data: _dump(data, 8, "0x{:x} <cmd>:\t", lambda row: _each(row, "0x{:02x}", "\t")),
     "Android": lambda data: _dump(data, 8, "D/EV3 ( 1234): ", lambda row: row.hex(" ")),
     "comments": lambda data: _dump(data, 8, "//   ", lambda row: _each(row, "0x{:02x}, ")),

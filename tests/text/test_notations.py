@@ -10,6 +10,7 @@ from support.cases import each
 from support.notations import EXAMPLES, NOTATIONS
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
+from ev3proto.text.paste.tokens import FORMS, Form, tokens_in
 
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
 NOTHING = bytes.fromhex("06 00 2a 00 00 00 00 01")
@@ -235,6 +236,19 @@ def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
 def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
+
+
+@each("form", [form for form in FORMS if form.kind not in ("blank", "other", "word")])
+def test_the_example_of_a_value_is_one(form: Form) -> None:
+    before, value, after = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
+    assert (form.kind, value) in [(token.kind, token.text) for token in tokens_in(f"{before}{value}{after}")]
+
+
+@each("form", [form for form in FORMS if form.kind in ("blank", "other")])
+def test_the_example_of_other_things_is_stepped_over(form: Form) -> None:
+    before, what, after = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
+    values = tokens_in(f"{before or '0f '}{what}{after}")
+    assert [token.text for token in values] in (["0f"], ["0x0f"], ["97"])
 
 
 def test_rows_of_bytes_of_which_some_are_db() -> None:

@@ -100,10 +100,9 @@ def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
                 for start, end in _extents(values, part):
                     data = part.data[start:end]
                     is_listed = values.is_guess and not values.breaks
-                    is_digest = len(part.offsets) == 2 and len(data) in HASHES
-                    is_alone = (
-                        len(rows) > 1 or is_listed or (not is_digest and _is_alone(values, part, start, end, rows[0]))
-                    )
+                    if _is_digest(part, data):
+                        continue
+                    is_alone = len(rows) > 1 or is_listed or _is_alone(values, part, start, end, rows[0])
                     is_decimal = base in ("bits", "octal", "words") or (base == "decimal" and any(values.widths))
                     if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal) and not _is_strange(data):
                         yield _with_stop(Near(data, values, part, start, end), base, rows)
@@ -139,6 +138,11 @@ def _has_slip(values: Values, place: int) -> bool:
     return word is not None and _is_slip(word[1], values.tokens[place - 1].text)
 
 
+def _is_digest(part: Part, data: bytes) -> bool:
+    """Returns whether one value has as many bytes as a digest, and not nearly as many as its length says."""
+    return len(part.offsets) == 2 and len(data) in HASHES and abs(frame_size(data) - len(data)) > LENGTH_FIELD
+
+
 def _is_strange(data: bytes) -> bool:
     return strange_bytes(data) is not None
 
@@ -169,7 +173,7 @@ def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
                     end = len(part.data) if is_cut else end
                     data, (first, _) = part.data[start:end], values.span(part, start, end)
                     before = line[: first.start] if first.line == rows[0].number else ""
-                    if _ADDRESS.match(line, first.start):
+                    if _ADDRESS.match(line, first.start) or _is_digest(part, data):
                         continue
                     found = _with_stop(Near(data, values, part, start, end), base, rows)
                     if _is_meant(found, values, before) and not _is_strange(data):
@@ -260,18 +264,20 @@ def _partial(token: Token) -> tuple[bytes, int, str, bool]:
 
 
 def told(row: Row) -> str | None:
-    """Returns what a line of nothing but bytes is, if it is no frame: one without its header, or something else."""
+    """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
     values = Values(row.tokens)
     part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
     if part is None or part.last < len(values.tokens) or part.first:
         return None
     first, last = values.span(part, 0, len(part.data))
     before = row.line[: first.start]
-    if row.line[last.end :].strip(AROUND) or (before.strip(AROUND + "xb") and head_of(before).direction is None):
+    is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
+    if row.line[last.end :].strip(AROUND) or not (is_alone or head_of(before).direction is not None):
         return None
     widths = {*values.widths}
     is_counted = widths != {2} and all(token.text.isdecimal() for token in values.tokens)
-    if first.kind == "string" or (first.kind == "marked" and first.text[0].isalpha()) or 1 in widths or is_counted:
+    is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
+    if first.kind == "string" or is_assembly or 1 in widths or is_counted:
         return None  # operations by their names are assembly
     is_hash = (len(values.tokens) == 1 and len(part.data) in HASHES) or _ADDRESS.match(row.line, first.start)
     is_dull = len(values.tokens) > 1 and len({*part.data}) < LEAST - 1

@@ -46,6 +46,7 @@ _AGAIN = re.compile(r"\s*\+\d+ \| | \| 0[0-9a-f]{4}  ")
 """Lines that show the frame above them again: `check` under a finding, `strace -e write` below a call."""
 _MOST_AROUND = 2000
 _MOST_EMPTY = 3
+_MOST_GAP = 40
 _MOST_BEFORE = 16
 _MOST_SHOWN = 20
 _MOST_STRANGE = 1000
@@ -248,7 +249,7 @@ class Reader:
             one = _without_sum(one, self._check_sum())
             piece = self._piece(one.values, one.part, one.start, one.end, lines, above)
             found.append(piece._replace(cut=one.cut, problem=one.problem, notes=one.notes, data=one.data))
-        yield from _once(found) if len(found) > 1 and len(rows) == 1 else found
+        yield from _once(found, rows[0].line) if len(found) > 1 and len(rows) == 1 else found
         self._has_frame = bool(found)
         if not found:
             self._before += [row.line for row in rows]
@@ -389,20 +390,22 @@ def _below(row: Row, ended: Row, place: int) -> Pasted | None:
     return _follows(tokens, sum(len(token.text) // 2 or 1 for token in tokens))
 
 
-def _once(found: list[Pasted]) -> list[Pasted]:
+_INTRODUCED = re.compile(r"[\"'`(<=\[]\s*$|[^\W\d]:?\s+$")
+"""What is in front of bytes that are not the rest of those before them."""
+
+
+def _once(found: list[Pasted], line: str) -> list[Pasted]:
     """Returns the pieces of a line without those that show one in front of them in other letters, which gets a note."""
-    texts: dict[tuple[bytes, str | None], set[str]] = {}
+    kept: dict[tuple[bytes, str | None], int] = {}
+    pieces: list[Pasted] = []
     for piece in found:
-        texts.setdefault((piece.data, piece.direction), set()).add(piece.text)
-    kept: list[Pasted] = []
-    for piece in found:
-        key = (piece.data, piece.direction)
-        if len(texts.get(key, ())) == 1:
-            kept.append(piece)
-        elif key in texts:
-            kept.append(piece._replace(notes=("the line shows this frame in several notations",)))
-            del texts[key]
-    return kept
+        place = kept.setdefault((piece.data, piece.direction), len(pieces))
+        is_new = place == len(pieces) or (pieces[place].text == piece.text and not pieces[place].notes)
+        if is_new or _INTRODUCED.search(line[max(0, piece.column - _MOST_GAP) : piece.column - 1]) is None:
+            pieces.append(piece)
+        else:
+            pieces[place] = pieces[place]._replace(notes=("the line shows this frame in several notations",))
+    return pieces
 
 
 def _unknown(values: Values, part: Part, start: int, end: int, lines: dict[int, str]) -> Iterator[Unknown]:

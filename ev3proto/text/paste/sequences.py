@@ -195,6 +195,8 @@ def _bases(tokens: Sequence[Token]) -> Sequence[str]:
     )
     if widths == {2} and is_padded and any(one[0] == "0" for one in bare):
         return ("hex", *quoted)
+    if widths == {4} and len(bare) > _FEW and all(one[0] == "0" for one in bare):
+        return ("octal", "hex", "words")
     others = [base for base, needed in _NEEDED if most >= needed]
     return ("hex", "decimal", *others, *quoted) if is_padded else ("decimal", "hex", *others, *quoted)
 

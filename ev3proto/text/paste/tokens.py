@@ -44,7 +44,7 @@ class Token(NamedTuple):
 
 
 class Form(NamedTuple):
-    """How something is written: a kind of value, "blank" for what means nothing, "other" for what is no value.
+    """How something is written: a kind of value, "blank" for what means nothing, "other" for all else.
 
     In examples, the value is between bars if there is something around it.
     """
@@ -69,6 +69,10 @@ _AFTER = r"(?=\s{0,80}(?:[,}\])]|$))"
 _TYPE = r"(?:(?:un)?signed\s)?(?:s?byte|char|u?int8(?:_?t)?|u8|U?Int8|[US]?Byte|BYTE)"
 _DATE = r"(?:(?:(?:19|20)\d\d[-/.])?[01]\d[-/.][0-3]\d|[0-3]\d[./][01]\d[./](?:19|20)\d\d)"
 
+_REST_OF_ADDRESS = rf"(?:[:-]{_H}{{2}}){{4}}(?![:-]?\w)"
+_DOTTED = r"\d{4}(?:\.\d{4}){2}\.\d\d"
+"""Pairs of bytes with dots between them: `0f00.0000.8000.00`."""
+
 
 def _has_bytes(mark: str) -> str:
     return rf"(?>(?:[^{mark}\\]|\\[^xX0-9u])*)\\[xX0-9u]"
@@ -84,6 +88,7 @@ _DIRECTIVE = rf"(?:\.byte|\.db|(?:db|DB)(?!\s+{_H}{{2}}(?:\s|$))|dc\.b|DC\.B|def
 FORMS = (
     # Most values have the first form. After a time or a date come other signs, so it does not take a part of one.
     Form("digits", "0f", rf"(?<!\w){_H}+(?=[\s,|]|$)(?<!0[bB][01]{{8}})|(?<=[:|]){_H}{{2}}(?=[:|])"),
+    Form("blank", "0f |b''.join|(", r"(?<!\w)b?(?:\"\"|'')\.join(?=\()"),
     # Strings: those without an escape are read as what is in them.
     Form(
         "string",
@@ -112,9 +117,8 @@ FORMS = (
     Form("blank", "as u8", r"(?<!\w)as\s(?:u8|byte)\b"),
     Form("blank", "&nbsp;", r"&\#?\w{2,5};"),
     Form("blank", "Columns 1 through 13", r"Columns?\s\d+(?:\s(?:through|and)\s\d+)?\s*$"),
-    Form("blank", "b''.join", r"(?<!\w)b?(?:\"\"|'')\.join(?=\()"),
     Form("blank", "</byte>", rf"</?(?!{_H}{{2}}>)[A-Za-z_][\w:.-]{{1,30}}\s?/?>"),
-    # What looks like values, and is none.
+    # What looks like values, and are not
     Form("other", "00001101-0000-1000-8000-00805F9B34FB", rf"(?<!\w){_H}{{8}}(?:-{_H}{{4}}){{3}}-{_H}{{12}}(?!\w)"),
     Form(
         "other",
@@ -123,12 +127,12 @@ FORMS = (
     ),
     Form("other", "12:30:45.123", rf"(?<![\w.:|-]){CLOCK}(?=[\])>:;,-]?(?:\s|$))"),
     # The second byte of a frame is 0 to 3.
-    Form("other", "00:16:53:42:2B:99", rf"(?<![\w:-]){_H}{{2}}[:-](?!0[0-3]){_H}{{2}}(?:[:-]{_H}{{2}}){{4}}(?![:-]?\w)"),
+    Form("other", "00:16:53:42:2B:99", rf"(?<![\w:-]){_H}{{2}}[:-](?!0[0-3]){_H}{{2}}{_REST_OF_ADDRESS}"),
     Form("other", "fe80::1", rf"(?<![\w:.])(?:{_H}{{1,4}}:){{1,6}}:(?:{_H}{{1,4}}:){{0,5}}{_H}{{1,4}}(?![\w:])"),
-    Form("other", "192.168.1.100", r"(?<![\w.-])(?!\d{4}(?:\.\d{4}){2}\.\d\d)[-+]?\d+(?:\.\d+){1,3}(?:e[-+]?\d+)?(?![\w.])"),
+    Form("other", "192.168.1.100", rf"(?<![\w.-])(?!{_DOTTED})[-+]?\d+(?:\.\d+){{1,3}}(?:e[-+]?\d+)?(?![\w.])"),
     Form("other", "</b>", r"</?[a-fA-F]>"),
     # All other values.
-    Form("marked", "0x0f|0x00", rf"0[xX]{_H}{{2}}(?=0[xX]{_H}{{2}}|(?!\w|\.to))"),
+    Form("marked", "|0x0f|0x00", rf"0[xX]{_H}{{2}}(?=0[xX]{_H}{{2}}|(?!\w|\.to))"),
     Form(
         "marked",
         "0x0fu8",
@@ -137,7 +141,7 @@ FORMS = (
     Form("marked", "X'0f00'", rf"(?<!\w)[xX]'{_H}+'"),
     Form("marked", "0b00001111", r"(?<!\w)(?:0[bB]|\#b|B)[01]{4}_?[01]{4}(?!\w)"),
     Form("marked", "0f_00", rf"(?<!\w){_H}{{2}}(?:_{_H}{{2}})+(?!\w)"),
-    Form("digits", "0f.", rf"(?<!\w){_H}+(?!\w|\.to)"),
+    Form("digits", "|0f|.", rf"(?<!\w){_H}+(?!\w|\.to)"),
     Form("marked", "0Fh", rf"(?<!\w){_H}+(?:[hH]|{_SUFFIX})(?!\w)"),
     Form("marked", "-128", r"(?<![\w\]<>=-])(?<![^a-z]\))-\d{1,3}(?![\w.])"),
     Form(
@@ -169,8 +173,8 @@ def _splitter() -> _Splitter:
     return _Splitter(pattern, {name: name.rpartition("_")[0] for name in pattern.groupindex})
 
 
-_PLAIN = re.compile(r"[0-9a-fA-F\s,:|]*+")
-"""Lines of nothing but digits: they need no other form."""
+_PLAIN = re.compile(r"[0-9a-fA-F\s,|]*+|\s*(?:[0-9a-fA-F]{2}:)+\s*")
+"""Lines of nothing but digits: they need no other form. A line that ends with a colon is not a time."""
 _DIGITS = re.compile(r"[0-9a-fA-F]+")
 _LEAD = re.compile(rf"[\s/#;*>]*(?:(?:[\w.$@]{{1,40}}:?\s{{1,40}})?{_DIRECTIVE}(?:[ ]{{1,3}}|\t)(?=\S))?")
 """Marks of comments and quotations at the start of a line, in which there may be bytes; `label: db ` of assemblers.

@@ -7,7 +7,7 @@ from functools import cache
 import ev3proto
 from ev3proto.brick import Brick
 from ev3proto.brick.dispatch import dispatch_table
-from ev3proto.brick.handlers import Dispatch, Entry, Family
+from ev3proto.brick.handlers import Dispatch, DispatchEntry, Family
 from ev3proto.brick.machine import Machine
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.messages import DirectCommand
@@ -45,14 +45,14 @@ def _recording() -> Dispatch:
         for name, declaration in operations(_DIALECT).items()
     }
 
-    def noted(entry: Entry, name: str) -> Entry:
+    def noted(entry: DispatchEntry, name: str) -> DispatchEntry:
         def function(*arguments: object) -> None:
             _ran.add(name)
             entry.function(*arguments)
 
-        return Entry(function, entry.readers)
+        return DispatchEntry(function, entry.readers)
 
-    found: list[Entry | Family | None] = []
+    found: list[DispatchEntry | Family | None] = []
     for number, entry in enumerate(dispatch_table(_DIALECT)):
         if isinstance(entry, Family):
             entries = {command: noted(each, names[number, command]) for command, each in entry.entries.items()}

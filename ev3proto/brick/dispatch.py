@@ -8,7 +8,7 @@ from inspect import isgeneratorfunction
 from typing import Any
 
 import ev3proto.brick.operations  # noqa: F401 - registers the handlers
-from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, Entry, Family, Function, Handler
+from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, DispatchEntry, Family, Function, Handler
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.without_effect import fail
 from ev3proto.brick.places import WRITERS
@@ -21,8 +21,8 @@ Reader = Callable[[Machine], Any]
 @cache
 def dispatch_table(dialect: str) -> Dispatch:
     """Returns the table of a dialect. ValueError for an unknown dialect, or a handler that does not fit."""
-    plain: dict[int, Entry] = {}
-    families: dict[int, dict[int, Entry]] = {}
+    plain: dict[int, DispatchEntry] = {}
+    families: dict[int, dict[int, DispatchEntry]] = {}
     unknown: dict[int, Function | None] = {}
     for name, declaration in operations(dialect).items():
         number = declaration.opcode.number
@@ -31,12 +31,12 @@ def dispatch_table(dialect: str) -> Dispatch:
             unknown[number] = UNKNOWN_COMMANDS.get(declaration.opcode.name)
         handler = HANDLERS.get(name)
         if handler is None:
-            entry = Entry(fail, None)
+            entry = DispatchEntry(fail, None)
         else:
             function = _in_steps(handler.function) if isgeneratorfunction(handler.function) else handler.function
             function = _computing(declaration, function) if handler.computes else function
             is_quick = all(parameter.type.size for parameter in declaration.parameters) and declaration.tail is None
-            entry = Entry(function, None if handler.raw else _readers(declaration, handler), is_quick)
+            entry = DispatchEntry(function, None if handler.raw else _readers(declaration, handler), is_quick)
         if declaration.command is None:
             plain[number] = entry
         else:

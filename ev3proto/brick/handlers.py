@@ -99,7 +99,7 @@ def handles_unknown(*opcodes: str) -> Callable[[Function], Function]:
     return register
 
 
-class Entry(NamedTuple):
+class DispatchEntry(NamedTuple):
     """How the machine executes one operation."""
 
     function: Function
@@ -111,9 +111,9 @@ class Entry(NamedTuple):
 class Family(NamedTuple):
     """How the machine executes an opcode with CMD."""
 
-    entries: Mapping[int, Entry]  # by CMD
+    entries: Mapping[int, DispatchEntry]  # by CMD
     unknown: Function | None  # the handler of any other CMD; None: nothing
 
 
-Dispatch = tuple[Entry | Family | None, ...]
+Dispatch = tuple[DispatchEntry | Family | None, ...]
 """By opcode; None for unknown ones. `ev3proto.brick.dispatch` makes it."""

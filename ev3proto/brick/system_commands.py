@@ -79,7 +79,7 @@ class Request(NamedTuple):
 
 
 @dataclass
-class Transfer:
+class OpenTransfer:
     """A file or a listing in transit."""
 
     channel: Hashable  # the connection that began it
@@ -111,7 +111,7 @@ class SystemCommands:
     def __init__(self, brick: Equipment, machine: Machine) -> None:
         self._brick = brick
         self._machine = machine
-        self._transfers: dict[int, Transfer] = {}
+        self._transfers: dict[int, OpenTransfer] = {}
 
     def answer(self, channel: Hashable, frame: bytes) -> Steps[tuple[bool, bytes] | None]:
         """Executes a system command, in steps.
@@ -150,7 +150,7 @@ class SystemCommands:
 
     # Handles
 
-    def _add(self, transfer: Transfer) -> int | None:
+    def _add(self, transfer: OpenTransfer) -> int | None:
         handle = next((number for number in range(HANDLES) if number not in self._transfers), None)
         if handle is not None:
             self._transfers[handle] = transfer
@@ -159,7 +159,7 @@ class SystemCommands:
     def _release(self, handle: int) -> None:
         self._transfers.pop(handle).stream.close()
 
-    def _find(self, request: Request, command: str) -> Transfer | None:
+    def _find(self, request: Request, command: str) -> OpenTransfer | None:
         transfer = self._transfers.get(request.number("handle"))
         return transfer if transfer is not None and transfer.command == command else None
 
@@ -185,7 +185,7 @@ class SystemCommands:
         file = files.open_to_write(path)
         if file is None:
             return _refused(SystemStatus.UNKNOWN_HANDLE)
-        handle = self._add(Transfer(request.channel, "BEGIN_DOWNLOAD", file, size, files.locate(path)))
+        handle = self._add(OpenTransfer(request.channel, "BEGIN_DOWNLOAD", file, size, files.locate(path)))
         assert handle is not None
         return self._download(handle, bytes(request.fields.get("data", b"")))
 
@@ -228,7 +228,7 @@ class SystemCommands:
         if file is None:
             return Answer(missing, _EMPTY)
         return self._begin(
-            request, Transfer(request.channel, command, file, 0, self._brick.files.locate(path)), missing
+            request, OpenTransfer(request.channel, command, file, 0, self._brick.files.locate(path)), missing
         )
 
     @_answers("LIST_FILES")
@@ -237,10 +237,10 @@ class SystemCommands:
         listing = yield from self._brick.files.listing(request.text("path"))
         if listing is None:
             return Answer(SystemStatus.UNKNOWN_ERROR, _EMPTY)
-        transfer = Transfer(request.channel, "LIST_FILES", io.BytesIO(listing), len(listing))
+        transfer = OpenTransfer(request.channel, "LIST_FILES", io.BytesIO(listing), len(listing))
         return self._begin(request, transfer, SystemStatus.UNKNOWN_ERROR)
 
-    def _begin(self, request: Request, transfer: Transfer, no_handle: SystemStatus) -> Answer:
+    def _begin(self, request: Request, transfer: OpenTransfer, no_handle: SystemStatus) -> Answer:
         handle = self._add(transfer)
         return Answer(no_handle, _EMPTY) if handle is None else self._piece(request, handle, has_size=True)
 
@@ -281,7 +281,7 @@ class SystemCommands:
         self._release(handle)
         return Answer(SystemStatus.END_OF_FILE, fields)
 
-    def _is_growing(self, transfer: Transfer) -> bool:
+    def _is_growing(self, transfer: OpenTransfer) -> bool:
         """Returns whether a user's program still has the file open to write; only GETFILE asks."""
         program = self._machine.slots[USER_SLOT]
         if transfer.command != "BEGIN_GETFILE" or program is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.bounded import Budget
-from ev3proto.capture.record import Answered, Record, Route
+from ev3proto.capture.record import Outcome, Record, Route
 from ev3proto.dialogue import Transfers
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameReader
@@ -83,7 +83,7 @@ class Conversation:
         answer = self._pairing.answered(*pairing_key(record.frame), record.time_ns if record.route.is_timed else None)
         if answer is not None:
             record.request, record.note = answer.command, answer.note
-            answer.command.answered = Answered(record.time_ns, _is_failure(record))
+            answer.command.answered = Outcome(record.time_ns, _is_failure(record))
 
     def _follow_transfer(self, record: Record) -> None:
         transfers = self._transfers

@@ -22,8 +22,7 @@ from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.tables.system import Kind, SystemStatus
-from ev3proto.tables.system import SystemCommand as SystemEntry
+from ev3proto.tables.system import Kind, SystemDeclaration, SystemStatus
 from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
@@ -251,7 +250,7 @@ class _Files:
             self._write(moving.number, piece)
             moving.bytes += len(piece)
 
-    def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+    def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration) -> _Moving | None:
         """Returns the file that a message belongs to, if any."""
         if entry.name in LISTINGS and not self._listings:
             return None
@@ -275,7 +274,9 @@ class _Files:
                 self._known[id(transfer)] = moving
         return moving
 
-    def _of_image(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+    def _of_image(
+        self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
+    ) -> _Moving | None:
         """Returns the firmware image in transfer to the flash memory, which has no path and no handle."""
         begins = _begins_image(entry)
         is_command = isinstance(message, SystemCommand)
@@ -293,7 +294,9 @@ class _Files:
                 self._images[record.peer] = begun
         return self._images.get(record.peer)
 
-    def _of_handle(self, record: Record, message: SystemCommand | SystemReply, entry: SystemEntry) -> _Moving | None:
+    def _of_handle(
+        self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
+    ) -> _Moving | None:
         """Returns the pieces of a file whose beginning was not captured, so that its path is unknown."""
         handle = message.fields.get("handle")
         if not isinstance(handle, int):
@@ -332,7 +335,7 @@ def _status(reply: SystemReply) -> str:
     return reply.status.name if reply.status is not None else f"status {reply.status_code}"
 
 
-def _begins_image(entry: SystemEntry) -> bool:
+def _begins_image(entry: SystemDeclaration) -> bool:
     # The command that requests a checksum has the same field, but also a reply.
     return not entry.reply and any(field.name == "image_size" for field in entry.request)
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind
-from ev3proto.tables.system import SystemCommand as SystemEntry
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind, SystemDeclaration
 
 
 def _answers_with(kind: Kind) -> frozenset[str]:
@@ -23,7 +22,7 @@ UPLOADS = _answers_with(Kind.DATA) | LISTINGS
 """The commands that move data from the brick; the others move files to it."""
 
 
-def entry_of(message: Message) -> SystemEntry | None:
+def entry_of(message: Message) -> SystemDeclaration | None:
     """Returns the tables' entry of a system message's command; None for other messages and unknown commands."""
     return SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand | SystemReply) else None
 

@@ -106,7 +106,7 @@ class Written(NamedTuple):
     rest: bytes = b""
 
 
-class Answered(NamedTuple):
+class Outcome(NamedTuple):
     """A command's facts about its reply, without the reply itself, which refers to the command."""
 
     time_ns: int  # the reply's time, in nanoseconds since 1970-01-01 UTC
@@ -161,7 +161,7 @@ class Record:
         self.time_ns = time_ns
         self.route = route
         self.request = request
-        self.answered: Answered | None = None
+        self.answered: Outcome | None = None
         self.transfer = transfer
         self.note = note
         self.written: Written | None = None

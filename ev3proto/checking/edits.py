@@ -20,8 +20,7 @@ from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_f
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind
-from ev3proto.tables.system import SystemCommand as Entry
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
 
 TYPE_AT = HEADER_SIZE - 1
 DIRECT, SYSTEM = (frozenset(map(int, TYPES_BY_KIND[f"{kind}-command"])) for kind in ("direct", "system"))
@@ -517,7 +516,7 @@ def system_edits(frame: bytes) -> Iterator[Edit]:
             yield Edit("doubled", place, place + 1, b"", (frame[place],), 2.0 if frame[place] in _COMMON else 1.0)
 
 
-def _of_field(frame: bytes, at: int, field: Field, entry: Entry) -> Iterator[Edit]:
+def _of_field(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> Iterator[Edit]:
     names = field.name, entry.name
     if field.counts is not None:
         yield from _of_count(frame, at, field, entry)
@@ -536,7 +535,7 @@ def _of_field(frame: bytes, at: int, field: Field, entry: Entry) -> Iterator[Edi
                 yield Edit("no-zero", at + count, at + count, b"\0", names, 0.2 if count == frame[at - 1] else 0.0)
 
 
-def _of_count(frame: bytes, at: int, field: Field, entry: Entry) -> Iterator[Edit]:
+def _of_count(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> Iterator[Edit]:
     """Yields the edits of a field that counts the bytes of another."""
     width = int(NUMBERS[field.kind].sizeof())
     is_text = next(one for one in entry.request if one.name == field.counts).kind is Kind.COUNTED_TEXT

@@ -17,7 +17,16 @@ from ev3proto.checking.nearest import Suggestions
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.cli.annotations import GitHub, Sarif
-from ev3proto.cli.check_output import SEVERITIES, Checked, JsonOutput, Output, Place, SourceFinding, Tally, TextOutput
+from ev3proto.cli.check_output import (
+    SEVERITIES,
+    Checked,
+    FramePlace,
+    JsonOutput,
+    Output,
+    SourceFinding,
+    Tally,
+    TextOutput,
+)
 from ev3proto.cli.edited import EditedFile
 from ev3proto.cli.options import exclusive, gathered, incompatible, json_option
 from ev3proto.cli.output import Printer, complain, say_json
@@ -112,7 +121,7 @@ class Checking:
         self._problems = problems
         self._dialect = reading.options.dialect
         self._is_single = len(reading.parts) == 1
-        self._first: tuple[bytes, Place] | None = None
+        self._first: tuple[bytes, FramePlace] | None = None
         self._suggestions = Suggestions()
         self.tally = Tally()
 
@@ -164,17 +173,17 @@ class Checking:
             self._problems.wrong(f"{record.place}: cannot check a frame that is cut off after {size} bytes")
         return not record.is_cut
 
-    def _place(self, record: Record) -> Place:
+    def _place(self, record: Record) -> FramePlace:
         where, written = record.place, record.written
         if written is not None and (written.is_typed or not where.name):
             number = self.tally.frames + (self._first is not None) + 1
-            return Place("" if self._is_single else f"frame {number}", {})
+            return FramePlace("" if self._is_single else f"frame {number}", {})
         facts: dict[str, Any] = {"source": where.name}
         if written is None:
             facts["packet"] = record.number
         elif written.column is not None:
             facts |= {"line": where.line, "column": written.column}
-        return Place(str(where), facts, is_among=True)
+        return FramePlace(str(where), facts, is_among=True)
 
     def _take_first(self, *, is_alone: bool) -> None:
         if self._first is not None:
@@ -221,7 +230,7 @@ class Checking:
             raise click.UsageError(f"--fix is for frames, but {name[:60]} is a program")
         self._take_first(is_alone=False)
         self.tally.programs += 1
-        place = Place("" if self._is_single else name, {"source": name})
+        place = FramePlace("" if self._is_single else name, {"source": name})
         self._show(Checked(place, check_program(image, dialect=self._dialect), is_program=True, source=found))
 
     def _code(self, source: Source) -> None:
@@ -238,14 +247,14 @@ class Checking:
             self._problems.errors += 1
             self.tally.findings["error"] += len(errors)
             if not self._options.quiet:
-                self._output.show(Checked(Place("", {"source": name}), None, source=errors))
+                self._output.show(Checked(FramePlace("", {"source": name}), None, source=errors))
             return
         warnings = [SourceFinding(Severity.WARNING, one) for one in made.warnings]
         self.tally.findings["warning"] += len(warnings)
         self._problems.errors += self._options.strict and bool(warnings)
         self._image(name, made.image, () if "warning" in self._options.hidden else warnings)
 
-    def _frame(self, frame: bytes, place: Place, carrier: str | None, *, is_alone: bool = False) -> None:
+    def _frame(self, frame: bytes, place: FramePlace, carrier: str | None, *, is_alone: bool = False) -> None:
         self.tally.frames += 1
         made = fix(frame, dialect=self._dialect, carrier=carrier) if self._options.fixes else None
         if made is not None:
@@ -262,7 +271,7 @@ class Checking:
             shown = self._options.shown(report)
             self._output.show(checked._replace(shown=shown, nearest=nearest, is_whole=self._options.whole))
 
-    def _counts(self, report: Report, place: Place) -> bool:
+    def _counts(self, report: Report, place: FramePlace) -> bool:
         """Counts the findings of a report, and returns whether it is shown."""
         self.tally.add(report.findings)
         severities = {finding.severity for finding in report.findings}

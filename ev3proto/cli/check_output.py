@@ -25,7 +25,7 @@ SOURCE_CODE = "source"
 """The code of errors and warnings of a program's source."""
 
 
-class Place(NamedTuple):
+class FramePlace(NamedTuple):
     """The place of a frame or a program.
 
     label     prefix of every offset, such as `robot.log, line 3`; empty for a single frame
@@ -57,7 +57,7 @@ class Checked(NamedTuple):
     is_whole    whether to show findings that a suggestion resolves, too
     """
 
-    place: Place
+    place: FramePlace
     report: Report | None
     shown: Sequence[Finding] = ()
     fix: Fix | None = None
@@ -139,7 +139,7 @@ class TextOutput(Output):
             lines = diagnostics(report, shown, place=label, dialect=dialect, nearest=nearest, is_complete=is_whole)
         self._paragraph(lines, is_long=bool(shown) or checked.fix is not None)
 
-    def edited(self, edited: FixedFrame, shown: Sequence[Finding], place: Place) -> None:
+    def edited(self, edited: FixedFrame, shown: Sequence[Finding], place: FramePlace) -> None:
         """Prints the same about a frame in a text on standard error: the text itself is the output."""
         if edited.fix.is_fixed or edited.fix.report.findings:
             lines = fixed(edited.fix, shown, place=place.label, dialect=self._dialect, is_written=edited.is_written)

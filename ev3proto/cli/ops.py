@@ -19,7 +19,7 @@ from ev3proto.tables import OPCODES, area_of, operations
 from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
 from ev3proto.tables.encoding import ENCODINGS
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
-from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemDeclaration, SystemStatus
 from ev3proto.text.spans import Role, Spans
 
 
@@ -123,7 +123,7 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
     return Entry(entry.name, number, area, "", entry.text, " ".join(said), about, record)
 
 
-def _system(entry: SystemCommand) -> Entry:
+def _system(entry: SystemDeclaration) -> Entry:
     """Returns the entry of a system command."""
     said = " ".join(f"{field.name} {field.text}" for field in entry.request + entry.reply)
 

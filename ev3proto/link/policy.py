@@ -22,8 +22,7 @@ from ev3proto.schema.header import HEADER_SIZE, build_frame
 from ev3proto.system import close_filehandle, continue_list_files
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MAX_FRAME, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
-from ev3proto.tables.system import SystemCommand as Entry
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemDeclaration, SystemStatus
 
 PATIENCE = 15.0
 """Seconds after which a reply counts as lost; a command that reads takes less than 10."""
@@ -130,7 +129,7 @@ class Policy:
         del self.transfers[handle]
 
 
-def _entry(message: Message) -> Entry | None:
+def _entry(message: Message) -> SystemDeclaration | None:
     return SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
 
 

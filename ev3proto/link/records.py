@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.record import HOST, Answered, Direction, Record, Route
+from ev3proto.capture.record import HOST, Direction, Outcome, Record, Route
 from ev3proto.schema.frame import frame_reader
 from ev3proto.tables.carriers import Carrier
 
@@ -40,5 +40,5 @@ class Records:
         number = self._packets() if self._packets is not None else self._count
         record = Record(frame, (number,), time.time_ns(), route, self._schema, request)
         if request is not None:
-            request.answered = Answered(record.time_ns, failed=is_error(record.message))
+            request.answered = Outcome(record.time_ns, failed=is_error(record.message))
         return record

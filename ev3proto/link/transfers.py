@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
-from ev3proto.tables.system import SystemCommand as Entry
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemDeclaration, SystemStatus
 
 NO_TRANSFERS: Mapping[int, str] = MappingProxyType({})
 
@@ -25,7 +24,7 @@ def _kind(name: str) -> str:
     return name.removeprefix("BEGIN_").removeprefix("CONTINUE_")
 
 
-def is_of(entry: Entry, handle: object, transfers: Mapping[int, str]) -> bool:
+def is_of(entry: SystemDeclaration, handle: object, transfers: Mapping[int, str]) -> bool:
     """Returns whether a command continues a transfer of its own kind, or closes one that is not a listing."""
     begun = transfers.get(handle) if isinstance(handle, int) else None
     if begun is None:

@@ -12,7 +12,7 @@ from ev3proto.errors import DecodeError
 from ev3proto.schema.fields import REPLIES
 from ev3proto.schema.wire_format import counted_text
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import SYSTEM, Kind, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration, SystemStatus
 from ev3proto.tables.system import Field as Declared
 
 PREFIX, BOOTLOADER, REPLY = "SYS_", "BOOTLOADER_", "_REPLY"
@@ -81,7 +81,7 @@ class CountedTextField(TextField):
         return s[stream.tell() :], text
 
 
-def layer_name(entry: SystemCommand) -> str:
+def layer_name(entry: SystemDeclaration) -> str:
     """Returns the name of a layer: `SYS_LIST_FILES`, `SYS_BOOTLOADER_START_APP`."""
     return PREFIX + (BOOTLOADER if entry.bootloader else "") + entry.name
 
@@ -140,7 +140,7 @@ def _field(declared: Declared, all_of_it: tuple[Declared, ...]) -> Field[Any, An
     return TextField(name, to_end=declared.kind is Kind.LISTING)
 
 
-def _layer(name: str, entry: SystemCommand, fields: tuple[Declared, ...]) -> type[Packet]:
+def _layer(name: str, entry: SystemDeclaration, fields: tuple[Declared, ...]) -> type[Packet]:
     described = {"name": name, "fields_desc": [_field(declared, fields) for declared in fields], "__doc__": entry.text}
     make: Any = type(Packet)
     layer: type[Packet] = make(name, (Packet,), {**described, "__module__": __package__})

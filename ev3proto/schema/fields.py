@@ -15,7 +15,7 @@ from ev3proto.messages import FieldValue
 from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.wire_format import NUMBERS, fields_of
 from ev3proto.tables.mailboxes import message_of
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemCommand
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
 
 
 def _text(value: Any, name: str, zeros: bool = False) -> bytes:
@@ -198,7 +198,7 @@ REPLIES = {command.number: Fields(command.reply) for command in SYSTEM}
 """The fields of system commands and of the replies to them, by the command's number."""
 
 
-def system_entry(command: Any) -> SystemCommand:
+def system_entry(command: Any) -> SystemDeclaration:
     """Returns a system command of the tables by its name or number. Raises BuildError for an unknown one."""
     if isinstance(command, int):
         if command in SYSTEM_BY_NUMBER:

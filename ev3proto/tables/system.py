@@ -67,7 +67,7 @@ class SystemStatus(IntEnum):
         return self not in (SystemStatus.SUCCESS, SystemStatus.END_OF_FILE)
 
 
-class SystemCommand(NamedTuple):
+class SystemDeclaration(NamedTuple):
     """One system command: number, name, one line of description, the fields of request and reply.
 
     answered    False if the brick never replies to it
@@ -115,7 +115,7 @@ _PIN = (
 )
 
 SYSTEM = (
-    SystemCommand(
+    SystemDeclaration(
         0x92,
         "BEGIN_DOWNLOAD",
         "Opens a file on the brick for writing and announces its size",
@@ -140,7 +140,7 @@ SYSTEM = (
             ),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x93,
         "CONTINUE_DOWNLOAD",
         "Writes the next piece of a file; the file closes itself when it is complete",
@@ -158,7 +158,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_ERROR, "the handle is known, but its file is not open"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x94,
         "BEGIN_UPLOAD",
         "Opens a file on the brick for reading and fetches its first piece",
@@ -172,7 +172,7 @@ SYSTEM = (
             (SystemStatus.NO_HANDLES_AVAILABLE, "all handles are in use"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x95,
         "CONTINUE_UPLOAD",
         "Fetches the next piece of a file",
@@ -186,7 +186,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x96,
         "BEGIN_GETFILE",
         "Opens a file that may still be growing, such as a data log, and fetches its first piece",
@@ -200,7 +200,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_HANDLE, "all handles are in use"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x97,
         "CONTINUE_GETFILE",
         "Fetches the next piece of a file that may still be growing",
@@ -214,7 +214,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x98,
         "CLOSE_FILEHANDLE",
         "Closes an open file before its end",
@@ -225,7 +225,7 @@ SYSTEM = (
         statuses=((SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),),
         effects=(Effect.READS,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x99,
         "LIST_FILES",
         "Lists a folder and fetches the first piece of the listing",
@@ -238,7 +238,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_ERROR, "no such folder, or no free handle"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9A,
         "CONTINUE_LIST_FILES",
         "Fetches the next piece of a listing",
@@ -251,7 +251,7 @@ SYSTEM = (
             (SystemStatus.UNKNOWN_ERROR, "the handle holds no listing"),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9B,
         "CREATE_DIR",
         "Creates a folder",
@@ -264,7 +264,7 @@ SYSTEM = (
             ),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9C,
         "DELETE_FILE",
         "Deletes a file or an empty folder",
@@ -277,7 +277,7 @@ SYSTEM = (
             ),
         ),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9D,
         "LIST_OPEN_HANDLES",
         "Asks which file handles are in use",
@@ -285,7 +285,7 @@ SYSTEM = (
         (Field("handles", Kind.DATA, "one bit per handle, set while it is in use"),),
         effects=(Effect.READS,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9E,
         "WRITEMAILBOX",
         "Puts a message into a mailbox of the program that runs on the brick",
@@ -304,7 +304,7 @@ SYSTEM = (
         answered=False,
         effects=(Effect.SENDS_MESSAGES,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0x9F,
         "BLUETOOTHPIN",
         "Sends the PIN for a Bluetooth device (USB only)",
@@ -314,28 +314,28 @@ SYSTEM = (
         effects=(Effect.CHANGES_SETTINGS,),
         statuses=((SystemStatus.ILLEGAL_CONNECTION, "this works by USB only"),),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xA0,
         "ENTERFWUPDATE",
         "Restarts the brick into its firmware updater",
         answered=False,
         effects=(Effect.RESTARTS,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xA1,
         "SETBUNDLEID",
         "Sets the bundle identifier that the brick shows to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=24),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xA2,
         "SETBUNDLESEEDID",
         "Sets the bundle seed identifier that the brick shows to Apple devices",
         (Field("id", Kind.TEXT, "the identifier", most=11),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF0,
         "BEGIN_DOWNLOAD_WITH_ERASE",
         "Erases a region of the flash memory and prepares to write it",
@@ -343,7 +343,7 @@ SYSTEM = (
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF1,
         "BEGIN_DOWNLOAD",
         "Prepares to write a region of the flash memory that is already erased",
@@ -351,7 +351,7 @@ SYSTEM = (
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF2,
         "DOWNLOAD_DATA",
         "Writes the next piece of the image",
@@ -359,13 +359,13 @@ SYSTEM = (
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF3, "CHIP_ERASE", "Erases the whole flash memory", bootloader=True, effects=(Effect.WRITES_FIRMWARE,)
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF4, "START_APP", "Leaves the updater and starts the firmware", bootloader=True, effects=(Effect.RESTARTS,)
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF5,
         "GET_CHECKSUM",
         "Asks for the checksum of a region of the flash memory",
@@ -374,7 +374,7 @@ SYSTEM = (
         bootloader=True,
         effects=(Effect.COMPUTES,),
     ),
-    SystemCommand(
+    SystemDeclaration(
         0xF6,
         "GET_VERSION",
         "Asks for the versions of hardware and firmware",

@@ -22,7 +22,7 @@ from ev3proto.messages import Variable
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import LOCAL
-from ev3proto.tables.system import SYSTEM, Kind, SystemCommand
+from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration
 
 BATTERY = command(op("UI_READ.GET_LBATT", GV(0)), globals=1, counter=99)
 FILES = 9_900
@@ -155,7 +155,7 @@ def test_operations_on_the_fullest_folder(name: str, root: Path) -> None:
 
 
 @each("entry", [entry for entry in SYSTEM if not entry.bootloader])
-def test_system_commands(entry: SystemCommand, root: Path) -> None:
+def test_system_commands(entry: SystemDeclaration, root: Path) -> None:
     fill(root)
     brick = Brick(root, stretch=STRETCH)
     for path in (FULL, "a/" * 15_000, "../prjs/large.rtf"):

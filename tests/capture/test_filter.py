@@ -21,10 +21,10 @@ from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.filter import Choosing, FilterError, compile_filter
 from ev3proto.capture.filter.fields import operation_names, places_of
 from ev3proto.capture.filter.language import MAX_DEPTH, MAX_LENGTH
-from ev3proto.capture.filter.manual import Entry, sections
+from ev3proto.capture.filter.manual import ManualEntry, sections
 from ev3proto.capture.filter.names import NAMES
 from ev3proto.capture.filter.pattern import PatternError, compile_pattern
-from ev3proto.capture.record import Answered
+from ev3proto.capture.record import Outcome
 from ev3proto.capture.text_log import read_log
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyReply, Message, SensorReport
@@ -491,7 +491,7 @@ def answered(command: Record, after: float, *, failed: bool = False) -> Record:
         after=after,
         request=command,
     )
-    command.answered = Answered(reply.time_ns, failed)
+    command.answered = Outcome(reply.time_ns, failed)
     return reply
 
 
@@ -590,7 +590,7 @@ def captured() -> list[list[Event]]:
 
 
 @pytest.mark.parametrize("entry", sum(sections().values(), ()), ids=lambda entry: entry.example)
-def test_every_example_of_the_manual_finds_something(entry: Entry) -> None:
+def test_every_example_of_the_manual_finds_something(entry: ManualEntry) -> None:
     found = any(any(Choosing(compile_filter(entry.example)).chosen(events)) for events in captured())
     assert found is (entry.example not in MATCHES_NOTHING)
 

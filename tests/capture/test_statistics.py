@@ -18,7 +18,7 @@ from ev3proto import GV
 from ev3proto.capture import Announcement, Carrier, Direction, Event, Record, Route, Skipped, TextKind, read
 from ev3proto.capture import statistics as module
 from ev3proto.capture.latencies import ACCURACY, EXACT, Latencies
-from ev3proto.capture.record import Answered
+from ev3proto.capture.record import Outcome
 from ev3proto.capture.statistics import MOST_LISTED, MOST_PEERS, MOST_PENDING, Noted, Statistics, Summary
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import Message
@@ -45,7 +45,7 @@ def seen(
     route = Route(Carrier.USB, "host", peer, None, None, peer)
     time_ns = START + round(milliseconds * 1e6)
     if request is not None:
-        request.answered = Answered(time_ns, failed=False)
+        request.answered = Outcome(time_ns, failed=False)
     return Record(frame, (number,), time_ns, route, frame_reader(), request, transfer)
 
 

@@ -441,7 +441,7 @@ def test_a_frame_that_is_longer_than_a_report() -> None:
 
 
 @each("entry", [entry for entry in SYSTEM if Effect.READS not in entry.effects])
-def test_other_system_commands_are_not_on_the_list(entry: tables.SystemCommand) -> None:
+def test_other_system_commands_are_not_on_the_list(entry: tables.SystemDeclaration) -> None:
     assert harms_of(SystemCommand(type=ev3proto.MessageType.SYSTEM_COMMAND_REPLY, number=entry.number))
 
 

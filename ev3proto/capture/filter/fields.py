@@ -6,7 +6,7 @@ from collections.abc import Container, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
-from ev3proto.capture.filter.values import Held, Kind, Name
+from ev3proto.capture.filter.values import FilterValue, Kind, Name
 from ev3proto.capture.record import Record
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemCommand, SystemReply
 from ev3proto.tables import OPCODES
@@ -30,7 +30,7 @@ _REPORT = dict.fromkeys(("layer", "port", "status", "type", "mode", "checksum"),
 """The fields of daisy messages, and of the sensor reports in them."""
 
 
-class Place(NamedTuple):
+class FieldPlace(NamedTuple):
     """A parameter of an operation, or a field of a system command."""
 
     owner: str  # full name of the operation or the command
@@ -61,12 +61,13 @@ def find_field(name: str) -> Name | None:
     element = name.lower().rpartition(".")[2]
     by_owner = {place.owner: place for place in places}
 
-    def read(record: Record) -> Iterator[Held]:
+    def read(record: Record) -> Iterator[FilterValue]:
         for owner, called, value in _named_values(record, by_owner):
             place = by_owner.get(owner)
             if place and (called.lower() == element if bracket else called.partition("[")[0] == place.name):
                 yield from (
-                    Held(each, place.enum, place.unit) for each in (value if isinstance(value, list) else [value])
+                    FilterValue(each, place.enum, place.unit)
+                    for each in (value if isinstance(value, list) else [value])
                 )
 
     held = {place.holds for place in places}
@@ -133,9 +134,9 @@ def _declared() -> tuple[Declaration, ...]:
     return tuple(declarations(OPCODES))
 
 
-def _place(entry: Declaration, parameter: Parameter) -> Place:
+def _place(entry: Declaration, parameter: Parameter) -> FieldPlace:
     held = str if parameter.type is Type.STRING else int
-    return Place(entry.name, parameter.name, held, parameter.enum, parameter.unit)
+    return FieldPlace(entry.name, parameter.name, held, parameter.enum, parameter.unit)
 
 
 def _holds(kind: FieldKind) -> type:
@@ -144,14 +145,14 @@ def _holds(kind: FieldKind) -> type:
 
 
 @cache
-def _places() -> dict[str, list[Place]]:
+def _places() -> dict[str, list[FieldPlace]]:
     """Returns all places by their names in upper case."""
     found = [_place(entry, parameter) for entry in _declared() for parameter in entry.parameters]
     for command in SYSTEM:
         fields = (*command.request, *command.reply)
-        found += [Place(command.name, field.name, _holds(field.kind)) for field in fields]
-    found += [Place(_DAISY, name, _holds(kind)) for name, kind in (_SENT_ON | _REPORT).items()]
-    by_name: dict[str, list[Place]] = {}
+        found += [FieldPlace(command.name, field.name, _holds(field.kind)) for field in fields]
+    found += [FieldPlace(_DAISY, name, _holds(kind)) for name, kind in (_SENT_ON | _REPORT).items()]
+    by_name: dict[str, list[FieldPlace]] = {}
     for place in found:
         by_name.setdefault(place.name.upper(), []).append(place)
     return by_name

@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.filter.names import find_name
-from ev3proto.capture.filter.values import TIME_UNITS, FilterError, Held, Name, Test, Word
+from ev3proto.capture.filter.values import TIME_UNITS, FilterError, FilterValue, Name, Test, Word
 from ev3proto.capture.record import NANOSECONDS, Record
 
 MAX_LENGTH = 4096
@@ -263,7 +263,7 @@ def _negated(part: Condition) -> Condition:
     return lambda records: not part(records)
 
 
-def _values(name: Name, records: Sequence[Record]) -> list[Held]:
+def _values(name: Name, records: Sequence[Record]) -> list[FilterValue]:
     """Returns the known values of a name."""
     return [held for record in records for held in name.read(record) if held.value is not None]
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.filter.fields import PATH, command_names, find_field, is_parameter, operation_names, places_of
-from ev3proto.capture.filter.values import Held, Kind, Name, Word
+from ev3proto.capture.filter.values import FilterValue, Kind, Name, Word
 from ev3proto.capture.record import NANOSECONDS, Direction, Record
 from ev3proto.errors import near_misses
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
@@ -42,11 +42,11 @@ def find_name(word: Word, time: Callable[[Record], float]) -> Name:
     if lower != PATH:
         return field
 
-    def read_with_path(record: Record) -> Iterator[Held]:
+    def read_with_path(record: Record) -> Iterator[FilterValue]:
         # Only the first message of a transfer has the path, but a filter for a path should find the whole transfer.
         yield from field.read(record)
         if record.transfer is not None:
-            yield Held(record.transfer.path)
+            yield FilterValue(record.transfer.path)
 
     return Name(field.kind, read_with_path)
 
@@ -147,7 +147,9 @@ def _known(
     kind: Kind, read: Callable[[Record], Iterable[Any]], text: str = "", example: str = "", looks_ahead: bool = False
 ) -> Name:
     unit = next(iter(kind.units), None)
-    return Name(kind, lambda record: [Held(value, None, unit) for value in read(record)], text, example, looks_ahead)
+    return Name(
+        kind, lambda record: [FilterValue(value, None, unit) for value in read(record)], text, example, looks_ahead
+    )
 
 
 _KINDS = dict.fromkeys([*(member.kind for member in MessageType), Message().kind])

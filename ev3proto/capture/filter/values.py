@@ -96,7 +96,7 @@ class Word:
         return bytes.fromhex(self.text.replace(":", "")) if is_hex else None
 
 
-class Held(NamedTuple):
+class FilterValue(NamedTuple):
     """A value of a name in a frame."""
 
     value: int | float | str | bytes | None  # None for a variable, whose value is unknown
@@ -104,7 +104,7 @@ class Held(NamedTuple):
     unit: str | None = None  # its unit, if any
 
 
-Test = Callable[[Held], bool]
+Test = Callable[[FilterValue], bool]
 """Tests one value."""
 
 
@@ -151,7 +151,7 @@ class Kind:
         """Makes the comparison of numbers, limited to those with the given unit or enumeration."""
         compare, single = ORDER[relation], number if self.is_exact else _single(number)
 
-        def holds(held: Held) -> bool:
+        def holds(held: FilterValue) -> bool:
             value = held.value
             if not isinstance(value, int | float) or (unit is not None and held.unit != unit):
                 return False
@@ -205,7 +205,7 @@ class Name(NamedTuple):
     """A name in a filter."""
 
     kind: Kind  # type of its values
-    read: Callable[[Record], Iterable[Held]]  # yields its values in a record; unknown ones are None
+    read: Callable[[Record], Iterable[FilterValue]]  # yields its values in a record; unknown ones are None
     text: str = ""  # description, for properties of every frame
     example: str = ""  # a filter that uses it
     looks_ahead: bool = False  # for a command, it is known only after the reply, or at the end of the capture

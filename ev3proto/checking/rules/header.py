@@ -15,8 +15,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MIN_LENGTH, REPORT_SIZES, MessageType
-from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, Field, Kind
-from ev3proto.tables.system import SystemCommand as Entry
+from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
 """Bytes of global memory that fit into a reply."""
@@ -184,7 +183,7 @@ def _runs(numbers: list[int]) -> Iterator[str]:
         yield f"0x{first:02X}" if first == last else f"0x{first:02X} to 0x{last:02X}"
 
 
-def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
+def _answer(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Finding]:
     if command.wants_reply and not entry.answered:
         yield codes.NEVER_ANSWERED.finding(
             TYPE_OFFSET,
@@ -204,11 +203,11 @@ def _answer(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
         )
 
 
-def _is_question(entry: Entry) -> bool:
+def _is_question(entry: SystemDeclaration) -> bool:
     return entry.transfer == _OPENED or any(field.kind in (Kind.DATA, Kind.LISTING, Kind.U32) for field in entry.reply)
 
 
-def _wrong_fields(context: CheckContext, entry: Entry) -> Finding:
+def _wrong_fields(context: CheckContext, entry: SystemDeclaration) -> Finding:
     fault = context.fault
     assert fault is not None
     start = min(fault.offset, context.end)
@@ -222,7 +221,7 @@ def _wrong_fields(context: CheckContext, entry: Entry) -> Finding:
     )
 
 
-def _fields(command: SystemCommand, entry: Entry) -> Iterator[Finding]:
+def _fields(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Finding]:
     """Checks the lengths of the fields that can be read."""
     at = HEADER_SIZE + 1
     for field in entry.request:
@@ -264,7 +263,7 @@ def _size(field: Field, value: int | str | bytes) -> int:
     return len(value)
 
 
-def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
+def _path(at: int, path: str, entry: SystemDeclaration) -> Iterator[Finding]:
     """Checks a path: too long for the firmware, or empty."""
     if not path and not _lists(entry):
         yield codes.REFUSED_PATH.finding(
@@ -304,7 +303,7 @@ def _path(at: int, path: str, entry: Entry) -> Iterator[Finding]:
         return
 
 
-def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> Iterator[Finding]:
+def _mailbox(at: int, payload: bytes, name: str, entry: SystemDeclaration, field: str) -> Iterator[Finding]:
     """Checks a message at an offset, to a mailbox of that name."""
     if len(name) > mailboxes.MOST_NAME:
         yield codes.MAILBOX_TOO_SMALL.finding(
@@ -345,7 +344,7 @@ def _mailbox(at: int, payload: bytes, name: str, entry: Entry, field: str) -> It
         )
 
 
-def _lists(entry: Entry) -> bool:
+def _lists(entry: SystemDeclaration) -> bool:
     """Returns whether it lists a folder."""
     return any(field.kind is Kind.LISTING for field in entry.reply)
 

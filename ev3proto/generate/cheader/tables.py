@@ -12,7 +12,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SYSTEM, Field, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Field, SystemDeclaration, SystemStatus
 
 WIDTH = 120
 INDENT = "    "
@@ -142,11 +142,11 @@ def _system_commands() -> Iterator[str]:
     yield from _enum(((STATUS + status.name, status.value, ()) for status in SystemStatus), 0)
 
 
-def _name(command: SystemCommand) -> str:
+def _name(command: SystemDeclaration) -> str:
     return (BOOTLOADER if command.bootloader else "") + command.name
 
 
-def _system_command(command: SystemCommand) -> Iterator[str]:
+def _system_command(command: SystemDeclaration) -> Iterator[str]:
     yield command.text
     yield from _fields("asks with", command.request)
     if command.answered:

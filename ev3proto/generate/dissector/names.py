@@ -6,7 +6,7 @@ filters, columns and colouring rules with those: they are kept.
 
 from __future__ import annotations
 
-from ev3proto.tables.system import Field, SystemCommand
+from ev3proto.tables.system import Field, SystemDeclaration
 
 FAMILIAR = {
     "size": "file_len",
@@ -21,7 +21,7 @@ HEXADECIMAL = ("address", "checksum", "hardware_version", "firmware_version")
 """Numbers usually written in hexadecimal."""
 
 
-def filter_name(command: SystemCommand, field: Field) -> str:
+def filter_name(command: SystemDeclaration, field: Field) -> str:
     """Returns what follows `ev3.` in the filter name of a system message's field."""
     if field.name == "path":
         # A path belongs to a file if the command or its reply gives the file's length.

@@ -21,7 +21,7 @@ from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeratio
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.output import PORT_SETS
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
 
 TYPES = {member: Name(member.name) for member in Type}
 DIRECTIONS = {member: Name(member.name) for member in Direction}
@@ -279,7 +279,7 @@ def _system() -> Iterator[str]:
     yield "\n"
 
 
-def _system_command(command: SystemCommand) -> Table:
+def _system_command(command: SystemDeclaration) -> Table:
     named: dict[Any, object] = {}
     for side in ("request", "reply"):
         fields: tuple[Field, ...] = getattr(command, side)
@@ -296,7 +296,7 @@ def _system_command(command: SystemCommand) -> Table:
     return Table([hexadecimal(command.number), command.name, command.text], named)
 
 
-def _system_field(command: SystemCommand, field: Field) -> Table:
+def _system_field(command: SystemDeclaration, field: Field) -> Table:
     named: dict[Any, object] = {}
     if field.counts:
         named["counts"] = field.counts

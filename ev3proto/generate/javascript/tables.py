@@ -11,7 +11,7 @@ from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type,
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SYSTEM, Kind, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration, SystemStatus
 
 _FIELDS = {
     Kind.U8: "u8",
@@ -109,7 +109,7 @@ def requests() -> list[Function]:
     return [_request(command) for command in SYSTEM if not command.bootloader]
 
 
-def _request(command: SystemCommand) -> Function:
+def _request(command: SystemDeclaration) -> Function:
     counts = {field.counts: field for field in command.request if field.counts}
     parts = [f"0x{command.number:02X}"]
     described = []

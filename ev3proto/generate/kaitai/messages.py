@@ -10,7 +10,7 @@ from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy
 from ev3proto.tables.encoding import CONSTANT, IDENTIFICATIONS, TEXT, Encoding
 from ev3proto.tables.frame import GLOBAL_BITS, MAX_GLOBALS, MAX_LENGTH, MIN_LENGTH, MessageType
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
 
 Mapping = dict[str | int, Value]
 
@@ -117,7 +117,7 @@ def _system() -> Mapping:
     return found
 
 
-def _type(entry: SystemCommand, side: str) -> str:
+def _type(entry: SystemDeclaration, side: str) -> str:
     return f"{side}_{system_name(entry)}"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.tables.declaration import Declaration, Parameter
-from ev3proto.tables.system import Field, SystemCommand
+from ev3proto.tables.system import Field, SystemDeclaration
 
 _WORDS = """
     abstract and as assert async await base bool boolean break byte case catch chan char class const continue
@@ -42,7 +42,7 @@ def family_type(name: str) -> str:
     return f"family_{name.lower()}"
 
 
-def system_name(command: SystemCommand) -> str:
+def system_name(command: SystemDeclaration) -> str:
     """Returns `list_files`, `bootloader_start_app`: the bootloader shares names with the firmware."""
     return ("bootloader_" if command.bootloader else "") + command.name.lower()
 

@@ -18,7 +18,7 @@ from ev3proto.generate.modules.source import (
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration
 
 _REPLY_HEAD: int = HEADER_SIZE + 2
 """Bytes of a reply before its fields: header, command, status."""
@@ -74,7 +74,7 @@ def _bootloader() -> Iterator[str]:
         yield from _function(entry)
 
 
-def _function(entry: SystemCommand) -> Iterator[str]:
+def _function(entry: SystemDeclaration) -> Iterator[str]:
     # The path, then required fields, then optional ones.
     fields = sorted(entry.request, key=lambda field: (_default(entry, field) is not None, field.name != "path"))
     always = ("*", "counter: int = 0", f"reply: bool = {entry.answered}")
@@ -92,20 +92,20 @@ def _function(entry: SystemCommand) -> Iterator[str]:
     yield from indented(bracketed("return request(", values, ")", INDENT))
 
 
-def _default(entry: SystemCommand, field: Field) -> str | None:
+def _default(entry: SystemDeclaration, field: Field) -> str | None:
     """Returns a field's default; None for a required one."""
     if field.name == _ROOM:
         return str(_room(entry))
     return "None" if field.counts is not None or field.optional else None
 
 
-def _room(entry: SystemCommand) -> int:
+def _room(entry: SystemDeclaration) -> int:
     """Returns the most bytes of contents that fit a reply."""
     fixed: int = sum(NUMBERS[field.kind].sizeof() for field in entry.reply if field.kind in NUMBERS)
     return MAX_FRAME - _REPLY_HEAD - fixed
 
 
-def _parameter(entry: SystemCommand, field: Field) -> str:
+def _parameter(entry: SystemDeclaration, field: Field) -> str:
     kind = "int" if field.kind in NUMBERS else "bytes" if field.kind is Kind.DATA else "str"
     kind = "str | float | bytes" if field.is_message else kind
     default = _default(entry, field)

@@ -22,8 +22,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import with_effect
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Effect, Parameter, Role, Type
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.tables.system import Field, Kind
-from ev3proto.tables.system import SystemCommand as SystemEntry
+from ev3proto.tables.system import Field, Kind, SystemDeclaration
 from ev3proto.text.phrases import argument_meaning, argument_value, plain
 
 _BY_UNIT = {"%": 50, "Hz": 440, "ms": 1000}
@@ -149,7 +148,7 @@ def _written(value: Any) -> str:
     return json.dumps(value) if isinstance(value, str) else repr(value).replace("'", '"')
 
 
-def system_example(entry: SystemEntry) -> Example:
+def system_example(entry: SystemDeclaration) -> Example:
     """Returns the example of a system command."""
     package = "system.bootloader" if entry.bootloader else "system"
     name = python_name(entry.name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ev3proto.capture.filter.fields import places_of
-from ev3proto.capture.filter.manual import Entry, sections
+from ev3proto.capture.filter.manual import ManualEntry, sections
 from ev3proto.generate.pages.markdown import code, plain, table
 
 _MOST_PLACES = 4
@@ -25,7 +25,7 @@ def blocks() -> Iterator[str]:
     yield table(("name", "of"), ((code(name), _owners(owners)) for name, owners in places_of().items()))
 
 
-def _rows(entries: Iterable[Entry]) -> Iterator[tuple[str, str, str]]:
+def _rows(entries: Iterable[ManualEntry]) -> Iterator[tuple[str, str, str]]:
     for entry in entries:
         yield _cell(entry.written), plain(entry.text), _cell(entry.example)
 

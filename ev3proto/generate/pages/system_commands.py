@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
 from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
-from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemDeclaration, SystemStatus
 
 
 def blocks() -> Iterator[str]:
@@ -41,12 +41,12 @@ def _outcome(status: SystemStatus) -> str:
     return "the command failed" if status.is_failure else "the command worked"
 
 
-def heading(entry: SystemCommand) -> str:
+def heading(entry: SystemDeclaration) -> str:
     """Returns the heading of a command, which links lead to."""
     return f"{entry.name} (bootloader)" if entry.bootloader else entry.name
 
 
-def _entry(entry: SystemCommand) -> Iterator[str]:
+def _entry(entry: SystemDeclaration) -> Iterator[str]:
     yield f"## {heading(entry)}"
     yield sentence(entry.text)
     yield listed(_facts(entry))
@@ -59,7 +59,7 @@ def _entry(entry: SystemCommand) -> Iterator[str]:
     yield try_it(example.frame)
 
 
-def _facts(entry: SystemCommand) -> Iterator[str]:
+def _facts(entry: SystemDeclaration) -> Iterator[str]:
     yield f"Number `0x{entry.number:02X}`."
     if entry.bootloader:
         yield "Only the brick's firmware updater knows it, which is reached by USB."
@@ -70,13 +70,13 @@ def _facts(entry: SystemCommand) -> Iterator[str]:
         yield "It is never replied to."
 
 
-def _fields(title: str, entry: SystemCommand, fields: tuple[Field, ...]) -> str:
+def _fields(title: str, entry: SystemDeclaration, fields: tuple[Field, ...]) -> str:
     if not fields:
         return f"Its {title} has no fields."
     return table((title, "type", "what it is", "in Wireshark"), (_field(entry, field) for field in fields))
 
 
-def _field(entry: SystemCommand, field: Field) -> tuple[str, str, str, str]:
+def _field(entry: SystemDeclaration, field: Field) -> tuple[str, str, str, str]:
     meaning = sentence(field.text)
     if field.most is not None:
         meaning += f" At most {field.most} bytes."

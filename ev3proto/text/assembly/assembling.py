@@ -9,7 +9,7 @@ from ev3proto.tables import check_dialect
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, SYSTEM_COMMAND_TYPES
 from ev3proto.tables.source import VARIABLE_WORDS
-from ev3proto.tables.system import SystemCommand
+from ev3proto.tables.system import SystemDeclaration
 from ev3proto.text.assembly.errors import MOST_ERRORS, AssemblyError, Lines, SourceError
 from ev3proto.text.assembly.messages import MOST_MEMORY, PendingMessage, begun_by, find_command, system_body
 from ev3proto.text.assembly.names import LocalNames, Memory, Names
@@ -117,7 +117,7 @@ class _Work:
                 yield message
         self._begin()
 
-    def _system_alone(self, call: Call) -> SystemCommand | None:
+    def _system_alone(self, call: Call) -> SystemDeclaration | None:
         """Returns a system command without a header, which is a complete message."""
         pending = self._pending
         is_awaited = pending is not None and pending.carries_system and not pending.parts

@@ -25,7 +25,7 @@ from ev3proto.tables.frame import (
     MAX_LOCALS,
     MessageType,
 )
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemCommand, SystemStatus
+from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import LocalNames, choice
 from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, command_name
@@ -194,7 +194,7 @@ def _used(operations: Iterable[Operation]) -> dict[str, int]:
 # System commands and their replies
 
 
-def find_command(name: str) -> SystemCommand | None:
+def find_command(name: str) -> SystemDeclaration | None:
     """Returns a system command by name; the firmware's if the bootloader has it too."""
     return _BY_NAME.get(name)
 

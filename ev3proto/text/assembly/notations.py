@@ -23,7 +23,7 @@ from ev3proto.tables.source import (
     PARAMETER_WORDS,
     VARIABLE_WORDS,
 )
-from ev3proto.tables.system import SystemCommand
+from ev3proto.tables.system import SystemDeclaration
 from ev3proto.text.assembly.errors import NEWLINE
 
 NUMBER_PATTERN = r"(?:0[xX]|\$)[0-9a-fA-F]+|0[bB][01]+|(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?[fF]?"
@@ -59,7 +59,7 @@ STATUS = "status"
 """The name of a system reply's status."""
 
 
-def command_name(entry: SystemCommand) -> str:
+def command_name(entry: SystemDeclaration) -> str:
     """Returns the name of a system command. BEGIN_DOWNLOAD is the firmware's and the bootloader's."""
     return f"BOOTLOADER.{entry.name}" if entry.bootloader else entry.name
 

@@ -14,8 +14,8 @@ from ev3proto.capture.carriers.wifi.internet import (
     PORTS,
     RST,
     SYN,
+    Endpoint,
     Ends,
-    Place,
     Transport,
     port_bytes,
     reversed_ends,
@@ -130,9 +130,9 @@ class Connections:
         self._halves: dict[Ends, _Half] = {}
         # Where beacons are answered, where bricks listen according to their beacons, and the bricks' ends of
         # connections on other ports.
-        self._answered: Bounded[Place, None] = Bounded(MOST_BRICKS)
-        self._named: Bounded[Place, None] = Bounded(MOST_BRICKS)
-        self._elsewhere: Bounded[Ends, Place] = Bounded(MOST_CONNECTIONS)
+        self._answered: Bounded[Endpoint, None] = Bounded(MOST_BRICKS)
+        self._named: Bounded[Endpoint, None] = Bounded(MOST_BRICKS)
+        self._elsewhere: Bounded[Ends, Endpoint] = Bounded(MOST_CONNECTIONS)
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """Returns the events that a packet completes."""
@@ -328,7 +328,7 @@ class Connections:
         self._remember_brick(source_of(ends), beacon)
         yield Announcement(TextKind.BEACON, data, beacon, (packet.number,), packet.time_ns, route)
 
-    def _remember_brick(self, place: Place, beacon: Beacon | None) -> None:
+    def _remember_brick(self, place: Endpoint, beacon: Beacon | None) -> None:
         """Remembers where a beacon may be answered: its source port, the port for beacons, the port that it names."""
         address = place[:-PORT_SIZE]
         self._answered.add(place, None)

@@ -46,7 +46,7 @@ IS_FRAGMENT = 0x3FFF
 Ends = bytes
 """Sender and receiver: both addresses, then both ports, as in the headers of IPv4 and TCP."""
 
-Place = bytes
+Endpoint = bytes
 """One end: address and port."""
 
 PORT_SIZE = 2
@@ -73,13 +73,13 @@ def usual_transport(link: int, data: bytes) -> Transport | None:
     return None
 
 
-def source_of(ends: Ends) -> Place:
+def source_of(ends: Ends) -> Endpoint:
     """Returns the sender."""
     size = len(ends) // 2 - PORT_SIZE
     return ends[:size] + ends[-2 * PORT_SIZE : -PORT_SIZE]
 
 
-def target_of(ends: Ends) -> Place:
+def target_of(ends: Ends) -> Endpoint:
     """Returns the receiver."""
     size = len(ends) // 2 - PORT_SIZE
     return ends[size : -2 * PORT_SIZE] + ends[-PORT_SIZE:]
@@ -106,7 +106,7 @@ def reversed_ends(ends: Ends) -> Ends:
     return ends[size : -2 * PORT_SIZE] + ends[:size] + ends[-PORT_SIZE:] + ends[-2 * PORT_SIZE : -PORT_SIZE]
 
 
-def shown(place: Place) -> str:
+def shown(place: Endpoint) -> str:
     """Returns an end as text: `192.0.2.1:49152`, `[2001:db8::1]:49152`."""
     address, port = place[:-PORT_SIZE], int.from_bytes(place[-PORT_SIZE:], "big")
     if len(address) == 4:

@@ -62,7 +62,7 @@ def test_first_line_says_where_it_listens(tmp_path: Path) -> None:
     assert process.returncode == 0
     assert "3 frames from clients" in out
     assert "W303" in out
-    assert "SYSTEM never runs a command" in err
+    assert "this brick differs from a real one in " in err
     assert "Traceback" not in err
     assert {entry.name for entry in tmp_path.iterdir()} == {"apps", "prjs", "sys", "tools"}
 

@@ -82,7 +82,8 @@ def test_send_sends_nothing_that_the_brick_would_refuse() -> None:
 
 def test_send_shows_errors_in_what_the_brick_takes_and_sends_it() -> None:
     done = run_ev3proto_text("send", "virtual", "0x|09:00|2A:00|00|01:00|3A:81:05:64:|")
-    assert "error[E402]: DESTINATION takes bytes 4 to 7 of global memory" in done.stderr
+    assert "1 error" in done.stderr
+    assert "did you mean: 8 bytes of global and 0 bytes of local memory are used" in done.stderr
     assert done.stdout != ""
     assert "nothing was sent" not in done.stderr
 

@@ -40,6 +40,7 @@ export const WARM_UP = [
   ["fix"],
   ["made", "c"],
   ["made", "python"],
+  ["frames_of", "SOUND(TONE, 1, 440, 1000)"],
   ["explain", "E102"],
   ["as_assembly", FRAME],
   ["complete", "SOUND(TONE, 1"],

@@ -42,6 +42,14 @@ input.addEventListener("keydown", (event) => {
   isOurs = false;
 });
 
+/** Replaces the whole text, as something that is edited elsewhere: the focus stays there. @param {string} text */
+export const put = (text) => {
+  isOurs = true;
+  input.value = text;
+  input.dispatchEvent(new Event("input"));
+  isOurs = false;
+};
+
 /** Replaces the whole text, but only the lines that differ are edited. @param {string} text */
 export const replace = (text) => {
   const before = input.value;

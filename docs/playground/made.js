@@ -1,11 +1,16 @@
 // The frames in notations of other programs, one tab each. Those of many frames are made when their tab is opened.
 
-import { copy, find } from "./elements.js";
+import { put } from "./editor.js";
+import { copy, find, inside } from "./elements.js";
 import { derived } from "./notations.js";
+import { home } from "./reading.js";
 
 const CHOSEN = "notation";
 /** @type {Record<string, string>} */
-const PANELS = { lesson: "frame", hex: "hex", c: "c", python: "python", javascript: "javascript" };
+const PANELS = { lesson: "frame", hex: "hex", c: "c", python: "python", javascript: "javascript", operations: "operations" };
+
+const operations = inside(find("operations"), "textarea", HTMLTextAreaElement);
+const complaint = inside(find("operations"), "p", HTMLParagraphElement);
 
 const tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("[data-tab]")]);
 /** @type {Record<string, string>} */
@@ -24,7 +29,7 @@ export const showMade = (answer, make) => {
   made = { ...answer.made, ...derived(answer.made.lesson) };
   ask = make;
   find("make").hidden = !answer.made.lesson;
-  for (const [tab, panel] of Object.entries(PANELS)) find(panel).textContent = made[tab] ?? "";
+  for (const tab of Object.keys(PANELS)) showIn(tab);
   choose(chosen);
 };
 
@@ -41,7 +46,13 @@ const choose = async (name) => {
   if (made[name] !== undefined || !made.lesson) return;
   const now = made;
   now[name] = await ask(name);
-  if (made === now) find(PANELS[name]).textContent = now[name];
+  if (made === now) showIn(name);
+};
+
+/** Shows a notation in its panel; operations that are being edited stay as they are. @param {string} name */
+const showIn = (name) => {
+  if (name !== "operations") find(PANELS[name]).textContent = made[name] ?? "";
+  else if (document.activeElement !== operations) operations.value = made[name] ?? "";
 };
 
 /** @param {HTMLElement} tab */
@@ -65,6 +76,14 @@ find("tabs").onkeydown = (event) => {
   next.focus();
   next.click();
 };
-find("copy").onclick = () => copy(find(PANELS[chosen]).textContent ?? "", "copy");
+operations.oninput = async () => {
+  const text = operations.value;
+  /** @type {{text: string, error: string}} */
+  const found = await home().ask("frames_of", text);
+  if (text !== operations.value) return;
+  complaint.textContent = found.error;
+  if (found.text && !found.error) put(found.text);
+};
+find("copy").onclick = () => copy(made[chosen] ?? "", "copy");
 const before = remembered();
 choose(before !== null && before in PANELS ? before : "lesson");

@@ -56,12 +56,14 @@ export const realBrick = (python) => {
       find(id).hidden = connection !== "none";
       find(id, HTMLButtonElement).disabled = isConnecting;
     }
-    find("disconnect").hidden = find("talk").hidden = connection === "none";
+    for (const id of ["disconnect", "stop-motors", "talk"]) find(id).hidden = connection === "none";
   });
   const showState = () => {
     find("facts").hidden = true;
     find("facts").replaceChildren();
     watch.checked = false;
+    // A real brick has the place of the virtual one.
+    find("virtual", HTMLDetailsElement).open = wire === null;
     change({ connection: wire?.kind ?? "none", isComparing: false });
   };
 
@@ -114,6 +116,8 @@ export const realBrick = (python) => {
     python().ask("gone", "you disconnected");
     await closing?.close();
   };
+
+  find("stop-motors").onclick = () => python().ask("stop_motors");
 
   // Answers
 

@@ -783,6 +783,49 @@ def test_what_belongs_to_an_older_input_is_not_shown(page: Page) -> None:
     page.wait(lambda: not page.run("return document.body.classList.contains('stale')"))
 
 
+def test_all_motors_stop_without_a_question(page: Page) -> None:
+    assert not page.is_shown("stop-motors")
+    page.read(BATTERY)
+    page.connect("usb")
+    assert not page.is_shown("display")
+    page.steer(isHeld=True)
+    page.click("send")
+    page.wait(lambda: len(page.fact("sent")) == 1)
+    # It does not wait for the answer that is still to come.
+    page.click("stop-motors")
+    page.wait(lambda: len(page.fact("sent")) == 2)
+    assert page.fact("sent")[1][8:] == "800000a3000f01"
+    assert not page.is_shown("allow")
+    assert "OUTPUT_STOP" in page.text("answer")
+    page.run("fake.release()")
+    page.steer(isHeld=False)
+    page.click("disconnect")
+    page.wait(lambda: page.is_shown("display") and not page.is_shown("stop-motors"))
+
+
+def test_operations_can_be_edited_and_the_frame_follows(page: Page) -> None:
+    page.read("0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|")
+    page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=operations]").click()
+    operations = page.browser.find_element(By.CSS_SELECTOR, "#operations textarea")
+    page.wait(lambda: "SOUND(TONE,1,440,1000)" in str(operations.get_property("value")))
+    edit = "arguments[0].focus(); arguments[0].value = arguments[0].value.replace(arguments[1], arguments[2]);"
+    edit += "arguments[0].dispatchEvent(new Event('input'))"
+    page.run(edit, operations, "440", "880")
+    page.wait(lambda: page.text("frame") == "0x|0E:00|2A:00|80|00:00|94:01:01:82:70:03:82:E8:03|")
+    assert page.text("sentence").startswith("Plays 880 Hz") or page.wait(lambda: "880" in page.text("sentence")) is None
+    page.run(edit, operations, "TONE", "TOEN")
+    page.wait(lambda: "did you mean TONE" in page.text("operations"))
+    assert "82:70:03" in page.text("frame")
+    page.run(edit, operations, "TOEN", "TONE")
+    page.wait(lambda: "did you mean" not in page.text("operations"))
+    page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=lesson]").click()
+
+
+def test_one_operation_is_assembly_whatever_its_letters(page: Page) -> None:
+    page.type("INFO(GET_VOLUME, GV0(0))")
+    page.wait(lambda: page.text("frame") == "0x|08:00|00:00|00|01:00|7C:04:60|")
+
+
 def test_a_brick_is_compared_with_the_virtual_one(page: Page) -> None:
     page.connect("usb")
     page.click("computes")

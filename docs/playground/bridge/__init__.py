@@ -45,6 +45,7 @@ __all__ = [
     "end_comparison",
     "explain",
     "fix",
+    "frames_of",
     "gone",
     "heard",
     "look",
@@ -54,6 +55,7 @@ __all__ = [
     "record",
     "remedies",
     "sent",
+    "stop_motors",
     "talk",
     "tick",
     "timeline",
@@ -154,6 +156,14 @@ def as_assembly(frame: str) -> str:
     return json.dumps("".join(f"{visible(line)}\n" for line in lines))
 
 
+def frames_of(operations: str) -> str:
+    """Returns the frames that operations make, as JSON: `text` in the lesson's notation, and `error`, sentences."""
+    made = Input()
+    made.type(f"{operations}\n")
+    answer = made.answer()
+    return json.dumps({"text": answer["made"]["lesson"], "error": answer["error"]})
+
+
 def _bytes(data: Any) -> bytes:
     return data if isinstance(data, bytes) else data.to_bytes()
 
@@ -249,6 +259,13 @@ def watch(is_wanted: bool) -> str:
     """Begins or ends asking for battery and ports every second."""
     assert _real is not None
     _real.watch(is_wanted)
+    return "null"
+
+
+def stop_motors() -> str:
+    """Stops all motors of the brick, without a question."""
+    assert _real is not None
+    _real.stop_motors()
     return "null"
 
 

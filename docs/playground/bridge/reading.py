@@ -11,6 +11,7 @@ from typing import Any
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.capture.record import Announcement, Place, Record, Skipped, elapsed
 from ev3proto.capture.timeline import Form, collect, render
+from ev3proto.dialogue import Exchange
 from ev3proto.errors import DecodeError
 from ev3proto.messages import Message
 from ev3proto.program import assemble, check_program
@@ -24,11 +25,12 @@ from ev3proto.reading.lines import announcement_line, message_lines, record_seen
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
 from ev3proto.schema.frame import parse
+from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.recognising import OBJECT
+from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.phrases import command_spans, reply_spans
+from ev3proto.text.phrases import LEGO, command_spans, reply_spans
 from ev3proto.text.spans import plain_text, visible
 
 from .findings import Findings
@@ -66,6 +68,7 @@ FORMS: dict[str, Callable[[Message, str], str]] = {
     LESSON: lambda message, _: as_hex(message),
     "c": as_c,
     "python": as_python,
+    "operations": lambda message, _: "\n".join(list(assembly(Exchange(message), "", LEGO))[1:]),
 }
 
 Publish = Callable[[str], object]
@@ -112,7 +115,8 @@ class Input:
             self._program_of(text, TYPED)
             return
         self._typed = text
-        is_long = "\n" in text.strip()
+        # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
+        is_long = "\n" in text.strip() or is_assembly(text.strip())
         self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
         self._read(Given(TYPED, lines=self._counted(text)) if is_long else given_word(text.strip()))
 

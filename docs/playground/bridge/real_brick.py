@@ -27,7 +27,7 @@ from ev3proto.link.policy import Outcome, Policy, Talk
 from ev3proto.link.questions import Question
 from ev3proto.link.replay import Likeness, Replay, Step, compare, plan, steps
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
-from ev3proto.ops import input_readsi
+from ev3proto.ops import input_readsi, output_stop
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
 from ev3proto.semantics.replies import Value
@@ -37,6 +37,7 @@ from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
+from ev3proto.tables.ports import MotorPorts
 from ev3proto.text.phrases import Seen, command_spans
 from ev3proto.text.spans import Role, Spans, plain_text
 from ev3proto.text.tree import tree
@@ -132,6 +133,7 @@ class RealBrick:
         self._file = io.BytesIO()
         self._recording = Recording(self._file)
         self._recording.opened(_KEY, self._carrier, ("", 0), ("", 0))
+        self._turn = 0
         self._watches = False
         self._due = 0.0
         self._facts: dict[str, Any] = {}
@@ -255,8 +257,9 @@ class RealBrick:
             return {"ask": asks}
         self._answers = []
         self._left = len(frames)
+        self._turn += 1
         self._show([])
-        self._send_next(frames, is_allowed=is_allowed)
+        self._send_next(frames, self._turn, is_allowed=is_allowed)
         self._advance()
         return {}
 
@@ -271,17 +274,17 @@ class RealBrick:
         for harm, name in harms_of(message, handles=self._policy.transfers, known=known).items():
             yield f"{name} {harm.text}."
 
-    def _send_next(self, frames: list[bytes], *, is_allowed: bool) -> None:
-        """Sends the first of some commands, and the others once it is answered."""
-        if not frames or not self.is_open:
+    def _send_next(self, frames: list[bytes], turn: int, *, is_allowed: bool) -> None:
+        """Sends the first of some commands, and the others once it is answered, unless something else came between."""
+        if not frames or not self.is_open or turn != self._turn:
             return
         frame, policy = frames[0], self._policy
         message = parse(frame, strict=False)
 
         def done(outcome: Outcome, job: Job | None, latency: float, reason: str) -> None:
-            self._left -= 1
+            self._left = max(0, self._left - 1)
             self._answered(frame, outcome, job, latency, reason)
-            self._send_next(frames[1:], is_allowed=is_allowed)
+            self._send_next(frames[1:], turn, is_allowed=is_allowed)
 
         self.converse(_unasked(frame, policy) if is_allowed else policy.talk(message), done, message.counter)
 
@@ -345,6 +348,20 @@ class RealBrick:
             self._answers = [*self._answers, lines][-MOST_ANSWERS:]
         shown = [[pieces(line) for line in answer] for answer in self._answers]
         self._tell(json.dumps({"answers": shown, "isWaiting": bool(self._left or self._jobs or self._now)}))
+
+    def stop_motors(self) -> None:
+        """Stops all motors at once, before everything that waits, and forgets the commands that do."""
+        self._jobs.clear()
+        self._left = 0
+        self._turn += 1
+        if self._comparison is not None:
+            self._comparison.end("cancelled")
+        prepared = direct(output_stop(0, MotorPorts.ALL, True), 0, 0, SyncMode.STD, DIALECT)
+        # It wants no reply, so it does not have to wait for that of another command.
+        frame = self._session.command(prepared.kind, prepared.body).frame
+        self._record(frame, True)
+        self._carry(frame.hex())
+        self._show([command_spans(parse(frame)), [("sent; all motors stop", Role.ASIDE)]])
 
     # What is asked for every second
 

@@ -305,6 +305,8 @@ class Record:
         return self.route.interface
 
     def __repr__(self) -> str:
+        if self.written is not None:
+            return f"<Record {self.place} {self.direction} {self.frame.hex()}>"
         return (
             f"<Record {self.number} {self.route.carrier} {self.route.source} > {self.route.target} {self.frame.hex()}>"
         )

@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
 from ev3proto.capture.record import Record
-from ev3proto.cli.options import Whole, given_options, incompatible, reply_option
+from ev3proto.cli.options import Whole, gathered, given_options, incompatible, reply_option
 from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import made_of, reading_options
@@ -51,7 +51,8 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
 """The formats of frames: functions of the message, its number from 1 on, and the dialogue so far."""
 
 
-class Making(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Making:
     """How messages are made of assembly.
 
     counter    message counter of the first one that states none
@@ -64,6 +65,25 @@ class Making(NamedTuple):
     unchecked: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Building:
+    """How the image of a program is made of its source.
+
+    source_dialect  of the source; None: all are tried
+    version         of the image; None for the usual one
+    shortest        shorten labels, and share the code of equal objects
+    """
+
+    source_dialect: str | None = None
+    version: int | None = None
+    shortest: bool = False
+
+    @property
+    def is_given(self) -> bool:
+        """Whether any of these was asked for."""
+        return self != Building()
+
+
 def encoded(
     names: Sequence[str], options: Options, making: Making, problems: Problems, *, faults: bool = True
 ) -> Iterator[Message]:
@@ -72,7 +92,7 @@ def encoded(
     reading = Reading(named(names), replace(options, sources=Sources.FIRST, images=False))
     for event in problems.beside(reading):
         if isinstance(event, Source):
-            for record in made_of(event, reading, problems, **making._replace(counter=counter)._asdict()):
+            for record in made_of(event, reading, problems, **asdict(replace(making, counter=counter))):
                 yield record.message
                 counter = (record.message.counter + 1) % COUNTERS
         elif isinstance(event, Record) and event.is_cut:
@@ -109,36 +129,37 @@ class _Version(click.ParamType):
     help="Format of the output (default: hex); rbf is the image of a program, as for -o FILE.rbf.",
 )
 @click.option("-o", "--output", "path", metavar="FILE", help="Write to this file, not standard output.")
-@click.option(
-    "--counter",
-    type=Whole(0, COUNTERS - 1),
-    default=0,
-    show_default=True,
-    metavar="NUMBER",
-    help="Message counter of the first assembled message that states none.",
+@gathered(
+    Making,
+    "making",
+    click.option(
+        "--counter",
+        type=Whole(0, COUNTERS - 1),
+        default=0,
+        show_default=True,
+        metavar="NUMBER",
+        help="Message counter of the first assembled message that states none.",
+    ),
+    reply_option,
+    click.option(
+        "--unchecked", is_flag=True, help="Accept values that mean nothing to the brick, such as motor port 16."
+    ),
 )
-@reply_option
-@click.option("--unchecked", is_flag=True, help="Accept values that mean nothing to the brick, such as motor port 16.")
-@click.option(
-    "--source",
-    "source_dialect",
-    type=click.Choice(("strict", "lego", "basic")),
-    help="Dialect of a program's source; by default strict, LEGO's own and EV3 Basic's are tried.",
+@gathered(
+    Building,
+    "building",
+    click.option(
+        "--source",
+        "source_dialect",
+        type=click.Choice(("strict", "lego", "basic")),
+        help="Dialect of a program's source; by default strict, LEGO's own and EV3 Basic's are tried.",
+    ),
+    click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Version of a program's image."),
+    click.option("--shortest", is_flag=True, help="Shorten a program's labels, and share the code of equal objects."),
 )
-@click.option("--version", "version", type=_Version(), metavar="NUMBER", help="Version of a program's image.")
-@click.option("--shortest", is_flag=True, help="Shorten a program's labels, and share the code of equal objects.")
 @reading_options
 def encode(
-    names: tuple[str, ...],
-    form: str | None,
-    path: str | None,
-    counter: int,
-    reply: bool | None,
-    unchecked: bool,
-    source_dialect: str | None,
-    version: int | None,
-    shortest: bool,
-    reading: Options,
+    names: tuple[str, ...], form: str | None, path: str | None, making: Making, building: Building, reading: Options
 ) -> None:
     """Builds frames from assembly, JSON or other notations, and programs from their sources.
 
@@ -155,23 +176,16 @@ def encode(
       ev3proto decode --format asm robot.pcapng > robot.asm
       ev3proto encode robot.asm
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    is_for_program = source_dialect is not None or version is not None or shortest
-    if form == RBF or (form is None and (is_for_program or (path is not None and path.lower().endswith(SUFFIX)))):
-        about_frames = given_options("counter", "reply", "unchecked", "filter", "no_length", "only_operations")
-        if about_frames:
-            raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
-        found = named(names)
-        from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
-
-        sys.exit(encode_program(found, path, dialect=source_dialect, version=version, shortest=shortest))
-    if is_for_program:
+    if form == RBF or (form is None and (building.is_given or (path or "").lower().endswith(SUFFIX))):
+        sys.exit(_program(names, path, building))
+    if building.is_given:
         raise click.UsageError("--source, --version and --shortest are for programs; add --to rbf or -o FILE.rbf")
     form = form or "hex"
     if form == RAW:
         refuse_terminal(path, "raw bytes", "them")
     dialogue, number, problems = Dialogue(), 0, Problems()
     with failing_to("written", path), output_to(None if path is None else Path(path)) as stream:
-        for number, message in enumerate(encoded(names, reading, Making(counter, reply, unchecked), problems), 1):
+        for number, message in enumerate(encoded(names, reading, making, problems), 1):
             data = FORMS[form](message, number, dialogue)
             if path is None and isinstance(data, str):
                 say(data)
@@ -181,3 +195,13 @@ def encode(
             # Nothing was written yet, and an existing file stays.
             sys.exit(1)
     sys.exit(problems.status)
+
+
+def _program(names: Sequence[str], path: str | None, building: Building) -> int:
+    """Assembles a program and writes its image. Returns the exit status."""
+    from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
+
+    about_frames = given_options("counter", "reply", "unchecked", "filter", "no_length", "only_operations")
+    if about_frames:
+        raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
+    return encode_program(named(names), path, **asdict(building))

@@ -59,7 +59,7 @@ def named(names: Sequence[str], *, is_quiet: bool = False) -> list[Given]:
     if len(names) > 1 and _are_bytes(names):
         return [given_word(" ".join(names))]
     return [
-        file(name, is_quiet=is_quiet) if name == STANDARD_INPUT or (name and is_file(name)) else given_word(name)
+        file(name, is_quiet=is_quiet) if name == STANDARD_INPUT or is_file(name) else given_word(name)
         for name in names or (STANDARD_INPUT,)
     ]
 

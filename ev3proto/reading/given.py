@@ -75,27 +75,29 @@ def given_file(path: Path) -> Given:
 def given(source: Readable) -> Given:
     """Returns anything that can be read. Raises TypeError for anything else."""
     if isinstance(source, str):
-        is_long = "\n" in source or "\r" in source
-        if not is_long and is_file(source):
-            return given_file(Path(source))
-        return Given("the text", lines=source.splitlines(keepends=True)) if is_long else given_word(source)
+        return _given_text(source)
     if isinstance(source, bytes | bytearray | memoryview):
-        data = bytes(source)
-        return Given("the bytes", frame=data)
+        return Given("the bytes", frame=bytes(source))
     if isinstance(source, os.PathLike):
         return given_file(Path(source))
     name = getattr(source, "name", None)
     label = visible(name) if isinstance(name, str) else "the input"
-    if isinstance(source, io.RawIOBase | io.BufferedIOBase) or "b" in str(getattr(source, "mode", "")):
+    if isinstance(source, io.RawIOBase | io.BufferedIOBase):
         return Given(label, open=lambda: cast(BinaryIO, source), is_lent=True)
     if isinstance(source, Iterable):
         return Given(label, lines=cast(Iterable[str], source))
     raise TypeError(f"cannot read {type(source).__name__}; expected a path, text, bytes, lines or an open file")
 
 
+def _given_text(text: str) -> Given:
+    if "\n" in text or "\r" in text:
+        return Given("the text", lines=text.splitlines(keepends=True))
+    return given_file(Path(text)) if is_file(text) else given_word(text)
+
+
 def is_file(name: str) -> bool:
     """Whether a text is the name of a file or folder."""
     try:
-        return Path(name).exists()
+        return bool(name) and Path(name).exists()
     except (OSError, ValueError):
         return False

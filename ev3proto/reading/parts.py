@@ -134,25 +134,25 @@ class Part:
 
     def _all(self) -> Iterator[Event]:
         """Yields everything. Raises OSError if the file cannot be opened, unless that is to be a problem."""
-        given, stream = self._given, None
-        self.account = self._log.begin()
+        self.account, stream = self._log.begin(), None
+        is_open = False
         try:
-            if given.open is not None and not (self._is_for_wireshark and given.path is not None):
-                stream = given.open()
-        except OSError as error:
-            if self._options.raises:
-                raise
-            yield self._unreadable(error)
-            return
-        try:
+            stream = self._stream()
+            # A word that looks like a path is a file that cannot be opened, too.
+            is_open = self._given.word is None
             yield from self._opened(stream)
         except (OSError, EOFError, zlib.error) as error:
-            if given.word is not None and self._options.raises:
+            if self._options.raises and not is_open:
                 raise
             yield self._unreadable(error)
         finally:
-            if stream is not None and not given.is_lent:
+            if stream is not None and not self._given.is_lent:
                 stream.close()
+
+    def _stream(self) -> BinaryIO | None:
+        """Opens the file; tshark opens those with a name by itself. Raises OSError."""
+        given = self._given
+        return None if given.open is None or (self._is_for_wireshark and given.path is not None) else given.open()
 
     def _unreadable(self, error: Exception) -> Problem:
         return Problem(self._place, Code.DAMAGED, f"cannot be read: {getattr(error, 'strerror', None) or error}")

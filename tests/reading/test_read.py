@@ -137,6 +137,7 @@ def test_problems_have_a_place_and_a_code(tmp_path: Path) -> None:
     ("source", "code"),
     [
         (b"", Code.EMPTY),
+        ("", Code.TEXT),
         ("nothing here\n", Code.EMPTY),
         ([], Code.EMPTY),
         (io.BytesIO(b"PK\x03\x04" + bytes(20)), Code.KIND),

@@ -6,10 +6,9 @@ A generator for each part of a frame: its header, the arguments of one operation
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.checking.likelihood import Code, Reading
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import LABEL_BYTE, encode_float, encode_integer, encode_string, encode_variable
@@ -17,6 +16,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.schema.instructions import OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
+from ev3proto.semantics.likelihood import Code, Reading
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
@@ -118,11 +118,10 @@ def _of_type(frame: bytes) -> Iterator[Edit]:
             yield Edit("header-short", TYPE_AT, TYPE_AT, bytes((other,)), extra=1.0, guess=1)
         if other == number:
             continue
-        is_near = (
-            other == digits or number ^ other == _REPLY_BIT or not ((number ^ other) & 15 and (number ^ other) >> 4)
-        )
+        changed = number ^ other
+        is_near = other == digits or changed == _REPLY_BIT or not (changed & 15 and changed >> 4)
         extra = 1.0 * (number in _COMMANDS) + 0.5 * (not is_near) - 0.5 * (other == digits)
-        extra += 1.5 if number ^ other == _REPLY_BIT else 0.0
+        extra += 1.5 if changed == _REPLY_BIT else 0.0
         yield Edit("type", TYPE_AT, HEADER_SIZE, bytes((other,)), (number, other, member.name), extra)
 
 
@@ -136,13 +135,8 @@ def _of_memory(frame: bytes) -> Iterator[Edit]:
     if len(frame) > end and frame[at] != frame[at + 1]:
         yield Edit("memory-swapped", at, end, frame[at:end][::-1])
         if 0 < frame[at + 1] < 64:
-            yield Edit(
-                "memory-shift",
-                at + 1,
-                end,
-                bytes((frame[at + 1] << 2,)),
-                (frame[at + 1], spaced(bytes((frame[at + 1] << 2,)))),
-            )
+            new = bytes((frame[at + 1] << 2,))
+            yield Edit("memory-shift", at + 1, end, new, (frame[at + 1], spaced(new)))
 
 
 # The arguments of an operation
@@ -179,69 +173,45 @@ class _Place(NamedTuple):
         return encode_integer(number) if limits is None or limits.low <= number <= limits.high else b""
 
 
-def _raw(place: _Place) -> Iterator[Edit]:
+def _numbers(place: _Place) -> Iterator[Edit]:
+    """Yields the edits of a number that is not written as the brick reads it."""
     data, at = place.code.data, place.at
-    is_argument = data[at] < _SHORT or data[at] in (*_WIDTHS, _LCS)
-    for width in (1, 2) if place.takes_number and place.known.parameter.type is not Type.DATA8 else (1,):
-        raw = data[at : at + width]
-        if not place.takes_number or len(raw) < width:
-            return
-        for number in {int.from_bytes(raw, "little"), int.from_bytes(raw, "little", signed=True)}:
-            new = place.number(number)
-            if new and new != raw and len(new) >= width:
-                extra = 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * (number < 0)
-                yield Edit("raw", at, at + width, new, (*place.names, number, spaced(new)), extra)
+    for kind, size, number, extra in _readings(place) if place.takes_number else ():
+        new = place.number(number)
+        if new and new != data[at : at + size] and at + size <= len(data):
+            yield Edit(kind, at, at + size, new, (*place.names, number, spaced(new)), extra)
+
+
+def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
+    """Yields numbers that may be meant by the bytes at a place: kind, number of bytes, number, further cost."""
+    data, at, argument = place.code.data, place.at, place.argument
+    first, after = data[at], data[at + 1 : at + 5]
+    is_argument = first < _SHORT or first in (*_WIDTHS, _LCS)
+    for width in (1,) if place.known.parameter.type is Type.DATA8 else (1, 2):
+        for is_signed in (False, True):
+            number = int.from_bytes(data[at : at + width], "little", signed=is_signed)
+            if len(encode_integer(number)) >= width and (number < 0) == is_signed:
+                yield "raw", width, number, 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * is_signed
+    if first in _LABELS and argument is not None:
+        number = int.from_bytes(after[: _LABELS[first]], "little") & (1 << 31) - 1
+        yield "label", 1 + _LABELS[first], -number, 0.0
+        yield "label", 1 + _LABELS[first], number, 0.5
+    width = _WIDTHS.get(first, 0)
+    if width > 1:
+        yield "swapped", 1 + width, int.from_bytes(after[:width], "big", signed=True), 0.0
+    if width and argument is not None and not place.number(int(argument.value)):
+        for bits in (8, 16):
+            number = int(argument.value) - (1 << bits)
+            if -(1 << bits - 1) <= number < 0:
+                yield "sign", 1 + width, number, 0.0
 
 
 def _width(place: _Place) -> Iterator[Edit]:
     first = place.code.data[place.at]
-    if not place.takes_number or first not in _WIDTHS:
-        return
-    for other, width in _WIDTHS.items():
+    for other, width in _WIDTHS.items() if place.takes_number and first in _WIDTHS else ():
         if other != first:
             words = (*place.names, f"{first:02X}", f"{other:02X}", _WORDS[width])
             yield Edit("width", place.at, place.at + 1, bytes((other,)), words, 1.0 if _LC4 in (first, other) else 0.0)
-
-
-def _label(place: _Place) -> Iterator[Edit]:
-    data, at = place.code.data, place.at
-    width = _LABELS.get(data[at])
-    if width is None or not place.takes_number or place.argument is None:
-        return
-    value = int.from_bytes(data[at + 1 : at + 1 + width], "little")
-    for number in {value, -value}:
-        new = place.number(number) if value < 1 << 31 else b""
-        if new:
-            yield Edit("label", at, at + 1 + width, new, (*place.names, number, spaced(new)), 0.5 * (number > 0))
-
-
-def _swapped(place: _Place) -> Iterator[Edit]:
-    data, at, known = place.code.data, place.at, place.known
-    width = _WIDTHS.get(data[at], 0)
-    raw = data[at + 1 : at + 1 + width]
-    if width < 2 or len(raw) < width or raw == raw[::-1] or known.parameter.direction is not Direction.IN:
-        return
-    if known.parameter.type is Type.DATAF or place.number(int.from_bytes(raw, "big", signed=True)):
-        words = (*place.names, spaced(raw[::-1]), _said(raw, known))
-        yield Edit("swapped", at + 1, at + 1 + width, raw[::-1], words)
-
-
-def _sign(place: _Place) -> Iterator[Edit]:
-    argument = place.argument
-    if not place.takes_number or argument is None or not argument.form.width or argument.kind != CONSTANT:
-        return
-    for bits in (8, 16):
-        number = int(argument.value) - (1 << bits)
-        if -(1 << bits - 1) <= number < 0 and not place.number(int(argument.value)) and place.number(number):
-            new = place.number(number)
-            yield Edit("sign", place.at, place.end, new, (*place.names, number, spaced(new)))
-
-
-def _said(raw: bytes, known: ParameterFacts) -> str:
-    """Returns the number that big-endian bytes were meant as."""
-    if known.parameter.type is Type.DATAF:
-        return "a float"
-    return str(int.from_bytes(raw, "big", signed=True))
 
 
 def _text(place: _Place) -> Iterator[Edit]:
@@ -261,31 +231,28 @@ def _text(place: _Place) -> Iterator[Edit]:
         yield Edit("length-84", at, at + 1, bytes((_LCS,)), place.names)
 
 
-def _float(place: _Place) -> Iterator[Edit]:
+def _floats(place: _Place) -> Iterator[Edit]:
+    """Yields the edits of a float that is not written as the brick reads it."""
     argument, at, data = place.argument, place.at, place.code.data
     if place.known.parameter.type is not Type.DATAF or place.known.parameter.is_output:
         return
-    for kind, skipped in (("raw", 0), ("width", 1)):
-        raw = data[at + skipped : at + skipped + 4]
-        number = struct.unpack("<f", raw)[0] if len(raw) == 4 else 0.0
-        if 0.01 <= abs(number) < 100_000 and (kind == "raw" or data[at] in (_LC1, _LC2)):
-            new = bytes((_LC4,)) + raw
-            words = (
-                (*place.names, f"{data[at]:02X}", f"{_LC4:02X}", _WORDS[4])
-                if skipped
-                else (*place.names, f"{number:g}", spaced(new))
-            )
-            yield Edit(kind, at, at + skipped + 4, new, words)
-    if argument is None or argument.is_variable:
-        return
-    number = (
-        int.from_bytes(data[at + 1 : at + 5], "little", signed=True)
-        if isinstance(argument.value, float)
-        else argument.value
-    )
-    if isinstance(number, int) and 0 < abs(number) < 1_000_000:
-        new = encode_float(number)
-        yield Edit("float", at, place.end, new, (*place.names, number, spaced(new)))
+    first, after = data[at], data[at + 1 : at + 5]
+    found = [("raw", 4, _float(data[at : at + 4]))]
+    if first in _WIDTHS:
+        found.append(("swapped" if first == _LC4 else "width", 5, _float(after[::-1] if first == _LC4 else after)))
+    if argument is not None and argument.kind == CONSTANT:
+        whole = int.from_bytes(after, "little", signed=True) if isinstance(argument.value, float) else argument.value
+        found.append(("float", place.end - at, float(whole)))
+    for kind, size, number in found:
+        if 0.01 <= abs(number) < 1_000_000 and at + size <= len(data):
+            new = encode_float(number)
+            if new != data[at : at + size]:
+                words = (f"{first:02X}", f"{_LC4:02X}", _WORDS[4]) if kind == "width" else (f"{number:g}", spaced(new))
+                yield Edit(kind, at, at + size, new, (*place.names, *words))
+
+
+def _float(data: bytes) -> float:
+    return float(struct.unpack("<f", data)[0]) if len(data) == 4 else 0.0
 
 
 def _variable(place: _Place) -> Iterator[Edit]:
@@ -302,17 +269,14 @@ def _variable(place: _Place) -> Iterator[Edit]:
             yield Edit("aligned", at, place.end, new, moved, 0.3 if index > argument.value else 0.0)
     if not known.parameter.is_output:
         return
-    if _LV0 <= first < _GV0 and code.memory.globals and code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY:
+    wants_reply = code.memory.globals > 0 or code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY
+    if _LV0 <= first < _GV0 and wants_reply:
         new = bytes((first - _LV0 + _GV0,))
         yield Edit("scope", at, at + 1, new, (*place.names, spaced(new)))
     if first == _LC1 and at + 1 < len(code.data) and _LV0 <= code.data[at + 1] < _GV0 + _SHORT:
         yield Edit("variable-81", at, at + 1, b"", (*place.names, spaced(code.data[at + 1 : at + 2])))
     if first < _SHORT:
-        wants_reply = code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY
-        for scope, base, fits in (
-            (GLOBAL, _GV0, code.memory.globals or wants_reply),
-            (LOCAL, _LV0, code.memory.locals),
-        ):
+        for scope, base, fits in ((GLOBAL, _GV0, wants_reply), (LOCAL, _LV0, code.memory.locals > 0)):
             if fits:
                 new = bytes((base + first,))
                 words = (*place.names, Variable(scope, first), spaced(new))
@@ -330,17 +294,7 @@ def _lost(place: _Place) -> Iterator[Edit]:
         yield Edit("lost", at + behind, at + behind, b"\0", place.names, guess=1)
 
 
-_AT_ARGUMENT: tuple[Callable[[_Place], Iterator[Edit]], ...] = (
-    _raw,
-    _width,
-    _label,
-    _swapped,
-    _sign,
-    _text,
-    _float,
-    _variable,
-    _lost,
-)
+_AT_ARGUMENT = (_numbers, _width, _text, _floats, _variable, _lost)
 
 
 def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
@@ -525,8 +479,8 @@ def _of_field(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> 
         value = frame[at : at + width]
         yield Edit("no-field", at, at, (_USUAL_SIZE if width == 2 else 0).to_bytes(width, "little"), names, guess=width)
         if value != value[::-1]:
-            meant = int.from_bytes(value, "big")
-            yield Edit("swapped", at, at + width, value[::-1], (*names, spaced(value[::-1]), meant))
+            words = (*names, int.from_bytes(value, "big"), spaced(value[::-1]))
+            yield Edit("swapped", at, at + width, value[::-1], words)
     elif field.kind is Kind.TEXT:
         yield Edit("no-zero", len(frame), len(frame), b"\0", names)
     elif field.kind is Kind.COUNTED_TEXT:

@@ -27,7 +27,6 @@ from ev3proto.checking.edits import (
     system_edits,
     whole_edits,
 )
-from ev3proto.checking.likelihood import FAULT, Code
 from ev3proto.checking.report import Report, Suggestion
 from ev3proto.checking.rules.header import MOST_IN_REPLY
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
@@ -36,6 +35,7 @@ from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, read_memory, write_memory
 from ev3proto.semantics.footprint import footprints, needed
+from ev3proto.semantics.likelihood import FAULT, Code
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, REPLY_TYPES, MessageType
@@ -56,7 +56,7 @@ _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 
 # Bounds on what is tried for one frame.
 _SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
-_MOST_TRIED = 6000  # edits
+_MOST_READ = 60_000  # bytes of all operations that are read with an edit
 _MOST_JUDGED = 14  # candidates that `check` judges in a round
 _MOST_CHECKED = 9_000  # bytes of all candidates that `check` judges
 _MOST_OPERATIONS = 8  # operations in which edits are tried, around the first suspicious one
@@ -167,7 +167,7 @@ class _Search:
     def __init__(self, report: Report) -> None:
         self._report = report
         self._frame, self._dialect = report.frame, report.dialect
-        self._tries, self._bytes = _MOST_TRIED, _MOST_CHECKED
+        self._unread, self._unchecked = _MOST_READ, _MOST_CHECKED
 
     def suggestions(self) -> tuple[Suggestion, ...]:
         """Returns the best candidates, if they are better than silence."""
@@ -206,7 +206,7 @@ class _Search:
         return rarity, max(weight, code_.rest() - rarity)
 
     def _check(self, frame: bytes) -> Report:
-        self._bytes -= len(frame)
+        self._unchecked -= len(frame)
         return check(frame, dialect=self._dialect, carrier=self._report.carrier, alone=self._report.alone)
 
     def _judged(self, candidate: _Candidate) -> _Judged:
@@ -231,7 +231,7 @@ class _Search:
         best.pop(frame, None)
         found = []
         for one in sorted(best.values(), key=lambda each: each.price + each.read)[:_MOST_JUDGED]:
-            if self._bytes > 0:
+            if self._unchecked > 0:
                 found.append(self._judged(one))
         return sorted(found, key=_by_cost)
 
@@ -349,11 +349,11 @@ class _Search:
         for number in _suspicious(code, costs):
             start, reading = code.first[number]
             for edit in operation_edits(code, start, reading):
-                if self._tries <= 0:
+                if self._unread <= 0:
                     return
                 if kind is not None and edit.kind != kind:
                     continue
-                self._tries -= 1
+                self._unread -= reading.end - start + 4
                 cost = code.edited(start, edit.at, edit.end, edit.new, is_guess=edit.guess > 0)
                 if cost is None:
                     continue

@@ -97,7 +97,7 @@ SLIPS = {
         "0C00 0100 80 0000 A5 00 01 4B A6 00 01", "0D00 0100 80 0000 A5 00 01 814B A6 00 01"),
     "width": Slip(3, "{0} of {1} has the identification byte {2}, but {3} announces {4}",
         "0E00 0100 80 0000 94 01 02 81E803 82F401", _TONE),
-    "swapped": Slip(3, "the bytes of {0} of {1} are swapped: {3} is {2}, the low one first",
+    "swapped": Slip(3, "the bytes of {0} of {1} are swapped: {2} is written {3}, the low one first",
         "0E00 0100 80 0000 94 01 02 8203E8 82F401", _TONE),
     "label": Slip(3, "{0} of {1} is encoded as a label: {2} is written {3}",
         "0D00 0100 80 0000 A5 00 01 A114 A6 00 01", "0C00 0100 80 0000 A5 00 01 2C A6 00 01"),

@@ -78,7 +78,9 @@ def test_a_length_in_decimal_names_both_forms() -> None:
 
 def test_the_size_of_a_file_with_its_bytes_swapped() -> None:
     (one,) = nearest("1800 0000 01 92 000004D2 2E2E2F70726A732F612F612E72626600")
-    assert one.message == "the bytes of size of BEGIN_DOWNLOAD are swapped: 1234 is D2 04 00 00, the low one first"
+    assert (
+        one.message == "the bytes of size of BEGIN_DOWNLOAD are swapped: 1234 is written D2 04 00 00, the low one first"
+    )
 
 
 def test_a_command_that_seems_to_be_a_reply() -> None:

@@ -23,7 +23,7 @@ from scapy.layers.bluetooth import (
 )
 from scapy.packet import Packet, Raw
 
-from ev3proto.capture.carriers.bluetooth.adapters import CLOSED, DONE, OPEN, UIH
+from ev3proto.capture.carriers.bluetooth.adapters import CLOSED, DONE, OPEN
 from ev3proto.generate.captures.bluetooth import (
     AGREES,
     ASKS,
@@ -31,13 +31,12 @@ from ev3proto.generate.captures.bluetooth import (
     ENOUGH,
     MODEM_STATUS,
     NEGOTIATION,
-    POLL,
     modem_status,
     multiplexed,
     negotiated,
     rfcomm_frame,
 )
-from ev3proto.tables.carriers import RFCOMM_CHANNEL
+from ev3proto.tables.carriers import RFCOMM_CHANNEL, RFCOMM_DATA, RFCOMM_POLL
 from making import dialogue
 from making.dialogue import CONTENTS, Exchange, Host
 from making.directory import FOUND, SEARCH, Sdp
@@ -147,12 +146,12 @@ class SerialPort:
 
     def ask(self, dlci: int, control: int) -> None:
         """A request of the host about a DLCI, and the brick's agreement."""
-        self.frame(False, rfcomm_frame(dlci << 2 | 3, control | POLL))
-        self.frame(True, rfcomm_frame(dlci << 2 | 3, DONE | POLL))
+        self.frame(False, rfcomm_frame(dlci << 2 | 3, control | RFCOMM_POLL))
+        self.frame(True, rfcomm_frame(dlci << 2 | 3, DONE | RFCOMM_POLL))
 
     def multiplexer(self, received: bool, kind: int, is_command: bool, body: bytes) -> None:
         """A command or response about a DLCI."""
-        self.frame(received, rfcomm_frame((not received) << 1 | 1, UIH, multiplexed(kind, is_command, body)))
+        self.frame(received, rfcomm_frame((not received) << 1 | 1, RFCOMM_DATA, multiplexed(kind, is_command, body)))
 
     def open(self) -> None:
         """Opens the serial port."""
@@ -178,7 +177,7 @@ class SerialPort:
             if self.credits[received] < 0:
                 raise ValueError("a frame is sent without credit for it")
             address = self.DLCI << 2 | (not received) << 1 | 1
-            control, credit = (UIH | POLL, bytes((granted,))) if granted else (UIH, b"")
+            control, credit = (RFCOMM_DATA | RFCOMM_POLL, bytes((granted,))) if granted else (RFCOMM_DATA, b"")
             self.frame(received, rfcomm_frame(address, control, piece, credit), fragment)
 
     def lacking(self, received: bool) -> int:

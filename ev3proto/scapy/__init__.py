@@ -7,13 +7,15 @@
     bytes(tone), EV3(b"..."), EV3(b"...").show()
     EV3(counter=42) / ev3.SOUND_TONE(VOLUME=1, FREQUENCY=440, DURATION=1000) / ev3.UI_FLUSH()
     EV3() / ev3.SYS_LIST_FILES(path="/home/root/lms2012/prjs/", max_bytes=1000)
-    sniff(offline="robot.pcap", session=TCPSession)
+    sniff(offline="robot.pcap", session=EV3Session)
     StreamSocket(connected, EV3).sr1(question)
     from ev3proto.scapy import *; eval(packet.command())
 
-Importing it binds EV3 to TCP port 5555. Operations are named as in the tables, with a _ for the dot (`SOUND_TONE`,
-`UI_FLUSH`), system commands SYS_LIST_FILES, their replies SYS_LIST_FILES_REPLY, and those of the bootloader
-SYS_BOOTLOADER_START_APP. All of them are attributes of this module.
+Importing it binds EV3 to TCP port 5555, to reports of USB and to Bluetooth's serial ports.
+
+Operations are named as in the tables, with a _ for the dot (`SOUND_TONE`, `UI_FLUSH`), system commands SYS_LIST_FILES,
+their replies SYS_LIST_FILES_REPLY, and those of the bootloader SYS_BOOTLOADER_START_APP. All of them are attributes of
+this module.
 
 A frame with an operation requests the memory that it uses, and a reply if the operation writes to global memory.
 System commands get their number in the same way.
@@ -41,6 +43,7 @@ from scapy.packet import Padding, Raw
 
 from ev3proto.errors import near_misses
 from ev3proto.messages import GV, LV
+from ev3proto.scapy.carriers import RFCOMM, EV3Session, USBmon, USBmonPadded
 from ev3proto.scapy.frames import (
     EV3,
     EV3DaisyCommand,
@@ -57,17 +60,21 @@ __all__ = [
     "EV3",
     "GV",
     "LV",
+    "RFCOMM",
     "EV3DaisyCommand",
     "EV3DaisyReply",
     "EV3DirectCommand",
     "EV3DirectReply",
     "EV3Operation",
     "EV3SensorReport",
+    "EV3Session",
     "EV3SystemCommand",
     "EV3SystemReply",
     "EV3Text",
     "Padding",
     "Raw",
+    "USBmon",
+    "USBmonPadded",
     "inf",
     "nan",
     *operation_names(),

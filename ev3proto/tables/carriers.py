@@ -133,3 +133,9 @@ USB_ENDPOINT_IN = 0x81
 
 RFCOMM_CHANNEL = 1
 """Bluetooth channel on which a brick serves the serial port profile."""
+
+RFCOMM_DATA = 0xEF
+"""The type of RFCOMM's frames with data (UIH), their control byte without the bit below."""
+
+RFCOMM_POLL = 0x10
+"""The bit of RFCOMM's control bytes that asks for an answer; in frames with data, it announces a byte of credits."""

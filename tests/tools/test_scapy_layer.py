@@ -12,11 +12,13 @@ from typing import Any
 
 import pytest
 from scapy.config import conf
+from scapy.layers.bluetooth import HCI_ACL_Hdr, HCI_Hdr, L2CAP_Hdr
 from scapy.layers.inet import IP, TCP
 from scapy.packet import Packet, Padding, Raw, fuzz
 from scapy.sendrecv import sniff
 from scapy.sessions import TCPSession
 from scapy.supersocket import StreamSocket
+from scapy.utils import rdpcap
 from support.effort import effort
 from support.frames import drawn
 
@@ -28,11 +30,13 @@ from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand, System
 from ev3proto.sampling import samples
 from ev3proto.scapy import (
     EV3,
+    RFCOMM,
     EV3DaisyCommand,
     EV3DaisyReply,
     EV3DirectCommand,
     EV3DirectReply,
     EV3SensorReport,
+    EV3Session,
     EV3SystemCommand,
     EV3SystemReply,
     EV3Text,
@@ -351,15 +355,63 @@ def test_a_stream_in_pieces() -> None:
 
 def test_the_repository_s_capture() -> None:
     found = list(sniff(offline=str(ROOT / "captures" / "wifi.pcapng"), session=TCPSession, quiet=True))
-    told: list[bytes] = []
-    for packet in found:
+    assert frames_in(found) == frames_of("wifi.pcapng")
+    assert sum(packet.haslayer(EV3Text) for packet in found) == 4
+
+
+def frames_in(packets: Any) -> list[bytes]:
+    """Returns the frames that are layers of packets."""
+    found: list[bytes] = []
+    for packet in packets:
         layer = packet.getlayer(EV3)
         while layer is not None:
-            told.append(bytes(layer)[: layer.length + 2])
+            found.append(bytes(layer)[: layer.length + 2])
             layer = layer.payload.getlayer(EV3)
-    records = list(ev3proto.capture.read(ROOT / "captures" / "wifi.pcapng").events())
-    assert told == [event.frame for event in records if isinstance(event, ev3proto.capture.Record)]
-    assert sum(packet.haslayer(EV3Text) for packet in found) == 4
+    return found
+
+
+def frames_of(capture: str) -> list[bytes]:
+    records = ev3proto.capture.read(ROOT / "captures" / capture).events()
+    return [event.frame for event in records if isinstance(event, ev3proto.capture.Record)]
+
+
+USB_CAPTURES = ["usb.pcapng", "usb-plugged.pcap", "usb-windows.pcap", "usb-bootloader.pcapng", "daisy.pcap"]
+
+
+@pytest.mark.parametrize("capture", USB_CAPTURES)
+def test_usb_is_read_without_a_session(capture: str) -> None:
+    assert frames_in(rdpcap(str(ROOT / "captures" / capture))) == frames_of(capture)
+
+
+@pytest.mark.parametrize("capture", ["bluetooth.pcapng", "usb.pcapng", "wifi.pcapng"])
+def test_one_session_reads_all_carriers(capture: str) -> None:
+    found = sniff(offline=str(ROOT / "captures" / capture), session=EV3Session, quiet=True)
+    assert frames_in(found) == frames_of(capture)
+
+
+def test_a_serial_port_s_packets_are_layers() -> None:
+    found = sniff(offline=str(ROOT / "captures" / "bluetooth.pcapng"), session=EV3Session, quiet=True)
+    asked = next(packet for packet in found if ev3.UI_READ_GET_VBATT in packet)
+    assert asked.summary().endswith("HCI_ACL_Hdr / L2CAP_Hdr / RFCOMM / EV3 / EV3DirectCommand")
+    assert (asked[RFCOMM].channel, asked[EV3].counter) == (1, 300)
+
+
+def test_without_the_session_whole_frames_of_a_serial_port_are_read() -> None:
+    found = rdpcap(str(ROOT / "captures" / "bluetooth.pcapng"))
+    asked = next(packet for packet in found if ev3.UI_READ_GET_VBATT in packet)
+    assert asked[Padding].load == b"\x9a"  # RFCOMM's checksum
+    assert bytes(asked).hex().endswith("0b0012000e0051000bef1508002c010004008101609a")
+    assert 0 < len(frames_in(found)) < len(frames_of("bluetooth.pcapng"))
+
+
+def test_pieces_of_a_serial_port_that_are_no_frames_are_passed_on() -> None:
+    session = EV3Session()
+    hello = b"hello, brick"
+    serial = bytes((0x0B, 0xEF, len(hello) << 1 | 1)) + hello + b"\x9a"
+    packet = HCI_Hdr(bytes(HCI_Hdr() / HCI_ACL_Hdr(connection_handle=11) / L2CAP_Hdr(cid=0x51) / Raw(serial)))
+    passed = session.process(packet)
+    assert passed is not None
+    assert (passed[RFCOMM].channel, passed[Raw].load) == (1, hello)
 
 
 def test_tcp_is_bound() -> None:

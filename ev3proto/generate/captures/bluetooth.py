@@ -19,10 +19,9 @@ from ev3proto.capture.carriers.bluetooth.adapters import (
     HANDLE_BITS,
     L2CAP,
     OPEN,
-    UIH,
     frame_check,
 )
-from ev3proto.tables.carriers import RFCOMM_CHANNEL
+from ev3proto.tables.carriers import RFCOMM_CHANNEL, RFCOMM_DATA, RFCOMM_POLL
 
 ADDRESS = bytes.fromhex("06165300000a")
 """The brick's address, from a range assigned to no vendor."""
@@ -49,9 +48,6 @@ CREATE_CONNECTION, DISCONNECT = 0x0405, 0x0406
 COMMAND_STATUS, COMPLETED_PACKETS = 0x0F, 0x13
 ASK, ANSWER, CONFIGURE, CONFIGURED, CLOSE, DISCONNECTED_CHANNEL = 2, 3, 4, 5, 6, 7
 """HCI commands and events, and L2CAP signals."""
-
-POLL = 0x10
-"""The poll/final bit of RFCOMM's control field; in frames with data it says that credits follow."""
 
 NEGOTIATION, MODEM_STATUS = 0x20, 0x38
 """Message types of RFCOMM's multiplexer."""
@@ -186,10 +182,10 @@ class Writer:
     def _turn(self, dlci: int, control: int) -> list[bytes]:
         """Opens or closes a port from the host; the brick agrees."""
         address = dlci << 2 | 3
-        return [self._rfcomm(True, address, control | POLL), self._rfcomm(False, address, DONE | POLL)]
+        return [self._rfcomm(True, address, control | RFCOMM_POLL), self._rfcomm(False, address, DONE | RFCOMM_POLL)]
 
     def _multiplexer(self, is_from_host: bool, kind: int, is_command: bool, body: bytes) -> bytes:
-        return self._rfcomm(is_from_host, is_from_host << 1 | 1, UIH, multiplexed(kind, is_command, body))
+        return self._rfcomm(is_from_host, is_from_host << 1 | 1, RFCOMM_DATA, multiplexed(kind, is_command, body))
 
     def _data(self, is_from_host: bool, piece: bytes) -> bytes:
         granted = self._lacking(is_from_host)
@@ -197,8 +193,8 @@ class Writer:
         self._credits[not is_from_host] += granted
         address = DLCI << 2 | is_from_host << 1 | 1
         if granted:
-            return self._rfcomm(is_from_host, address, UIH | POLL, piece, bytes((granted,)))
-        return self._rfcomm(is_from_host, address, UIH, piece)
+            return self._rfcomm(is_from_host, address, RFCOMM_DATA | RFCOMM_POLL, piece, bytes((granted,)))
+        return self._rfcomm(is_from_host, address, RFCOMM_DATA, piece)
 
     def _lacking(self, is_from_host: bool) -> int:
         """Returns the credits that an end grants with its next frame: none while the other end has enough."""
@@ -227,7 +223,7 @@ def rfcomm_frame(address: int, control: int, data: bytes = b"", credits: bytes =
     length = bytes((size << 1 | 1,)) if size < 0x80 else (size << 1).to_bytes(2, "little")
     head = bytes((address, control))
     # Frames with data are checked without their length.
-    checked = head if control & ~POLL == UIH else head + length
+    checked = head if control & ~RFCOMM_POLL == RFCOMM_DATA else head + length
     return head + length + credits + data + bytes((frame_check(checked),))
 
 

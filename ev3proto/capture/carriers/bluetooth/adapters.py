@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ev3proto.bounded import Bounded
 from ev3proto.capture.packets import Packet
 from ev3proto.capture.record import HOST
-from ev3proto.tables.carriers import Link
+from ev3proto.tables.carriers import RFCOMM_DATA, RFCOMM_POLL, Link
 
 ACL = struct.Struct("<HH")
 """The header of a data packet: handle and length. The upper bits of the handle tell whether it starts a packet."""
@@ -47,11 +47,10 @@ _GOES_ON = 1
 _LEAST_DYNAMIC = 0x40
 """The first L2CAP channel that is given to services."""
 
-UIH, OPEN, DONE, REFUSED, CLOSED = 0xEF, 0x2F, 0x63, 0x0F, 0x43
-"""RFCOMM's frame types: data, and opening and closing ports."""
+OPEN, DONE, REFUSED, CLOSED = 0x2F, 0x63, 0x0F, 0x43
+"""RFCOMM's frame types besides data: they open and close ports."""
 
-_POLL = 0x10
-_FRAME_TYPES = {UIH, OPEN, DONE, REFUSED, CLOSED}
+_FRAME_TYPES = {RFCOMM_DATA, OPEN, DONE, REFUSED, CLOSED}
 MOST_CONNECTIONS = 64
 """Maximum number of connections of all adapters together. An adapter has 7 at most."""
 
@@ -264,15 +263,15 @@ def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> 
     if channel < _LEAST_DYNAMIC or len(data) < 4 or not data[0] & 1:
         return None
     address, control = data[0], data[1]
-    kind = control & ~_POLL
+    kind = control & ~RFCOMM_POLL
     if kind not in _FRAME_TYPES:
         return None
     head = 3 if data[2] & 1 else 4
     length = data[2] >> 1 if head == 3 else data[2] >> 1 | data[3] << 7
     number = address >> 2
-    has_credits = kind == UIH and bool(control & _POLL) and number != 0
+    has_credits = kind == RFCOMM_DATA and bool(control & RFCOMM_POLL) and number != 0
     start = head + has_credits
-    checked = data[:2] if kind == UIH else data[:head]
+    checked = data[:2] if kind == RFCOMM_DATA else data[:head]
     if not is_known_cut and (len(data) != start + length + 1 or data[-1] != frame_check(checked)):
         return None
     if len(connection.channels) < MOST_CHANNELS:
@@ -280,6 +279,6 @@ def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> 
     if is_from_host is None:
         # In data frames this bit is set by the side that opened the connection, which is never a brick.
         is_from_host = bool(address & 2)
-    carried = data[start : start + length] if kind == UIH and number else b""
+    carried = data[start : start + length] if kind == RFCOMM_DATA and number else b""
     missing = length - len(carried) if carried else 0
     return Serial(number >> 1, is_from_host, carried, missing, kind in (OPEN, CLOSED))

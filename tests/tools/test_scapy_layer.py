@@ -404,7 +404,7 @@ def test_without_the_session_whole_frames_of_a_serial_port_are_read() -> None:
     assert 0 < len(frames_in(found)) < len(frames_of("bluetooth.pcapng"))
 
 
-def test_pieces_of_a_serial_port_that_are_no_frames_are_passed_on() -> None:
+def test_pieces_of_a_serial_port_without_a_frame_are_passed_on() -> None:
     session = EV3Session()
     hello = b"hello, brick"
     serial = bytes((0x0B, 0xEF, len(hello) << 1 | 1)) + hello + b"\x9a"

@@ -93,14 +93,16 @@ _ROUTES = {
 class TextLog:
     """A dialogue in texts, whose records are numbered by lines.
 
-    account  of the text that is read now; its packets are pieces of the text
-    budget   limits the pending commands
+    account      of the text that is read now; its packets are pieces of the text
+    budget       limits the pending commands
+    has_replies  whether a reply was read; else all commands stay unanswered, and a dropped one is no loss
     """
 
     def __init__(self, dialect: str, memory: int = DEFAULT_MEMORY) -> None:
         """Takes a memory limit in bytes."""
         self.account = Account()
         self.budget = Budget(memory)
+        self.has_replies = False
         self._dialect = dialect
         self._conversation = Conversation(frame_reader(dialect), self.budget)
         self._clock = Clock()
@@ -141,6 +143,7 @@ class TextLog:
         record = self._conversation.record(frame, (number,), time_ns, route)
         record.written = written
         record.keep(message)
+        self.has_replies = self.has_replies or (message.type is not None and not message.type.is_command)
         self.account.frames += len(frame)
         self.account.forgotten = self.budget.dropped
         return record

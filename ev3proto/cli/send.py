@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from functools import partial
 
 import click
 
@@ -55,8 +56,9 @@ def send(
     gyro, colour and ultrasonic sensor on 1 to 4. The input is the same as for `encode`: hex, assembly, files, captures,
     or - (or nothing) for standard input. A brick's replies in it are skipped.
 
-    All frames are checked first, and their errors are shown; if the brick would refuse one, nothing is sent. Each reply
-    is awaited before the next frame is sent.
+    All frames are checked first, and their errors are shown; if the brick would refuse one, nothing is sent. A single
+    frame is sent with the hints of `check` for frames that do nothing by themselves. Each reply is awaited before the
+    next frame is sent.
 
     \b
       ev3proto send wifi 'SOUND(TONE, 1, 440, 1000)'
@@ -77,10 +79,11 @@ def send(
         raise Failure("nothing was sent, because part of the input cannot be read; --force sends the rest")
     if len(commands) < len(found):
         complain(f"skipped {counted(len(found) - len(commands), 'frame')} from a brick")
+    checked = partial(is_refused, dialect=dialect, carrier=target.carrier, alone=len(commands) == 1)
     allowed = [
         message
         for number, message in enumerate(commands, 1)
-        if force or not is_refused(message.build(), f"frame {number}", dialect=dialect, carrier=target.carrier)
+        if force or not checked(message.build(), f"frame {number}")
     ]
     if len(allowed) < len(commands):
         raise Failure("nothing was sent; --force sends it anyway")

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from ev3proto.checking.checking import check
+from ev3proto.checking.codes import CODES
 from ev3proto.cli.options import FiniteRange
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.link.carriers import open_wire
@@ -58,11 +59,15 @@ def channel_to(target: Target) -> Iterator[Channel]:
         yield channel
 
 
-def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str) -> bool:
-    """Returns whether the brick would refuse a frame, and prints the errors in it on standard error."""
-    report = check(frame, dialect=dialect, carrier=carrier)
-    if report.accepted and not report.errors:
+def is_refused(frame: bytes, place: str, *, dialect: str, carrier: str, alone: bool) -> bool:
+    """Returns whether the brick would refuse a frame, and prints on standard error what is wrong with it.
+
+    For one that is sent alone, this includes the hints that it will not do what is expected, such as turn a motor.
+    """
+    report = check(frame, dialect=dialect, carrier=carrier, alone=alone)
+    told = [one for one in report.findings if one in report.errors or CODES[one.code].alone]
+    if report.accepted and not told:
         return False
-    for line in diagnostics(report, report.errors, place=place, dialect=dialect):
+    for line in diagnostics(report, told, place=place, dialect=dialect):
         complain(plain_text(line))
     return not report.accepted

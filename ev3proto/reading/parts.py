@@ -64,7 +64,7 @@ class Part:
         if is_empty:
             yield self.nothing()
         forgotten = self.account.forgotten - dropped * self.is_text
-        if forgotten:
+        if forgotten and self._can_answer:
             sentence = self._options.given_up(forgotten)
             yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
 
@@ -105,6 +105,11 @@ class Part:
 
     # What is there
 
+    @property
+    def _can_answer(self) -> bool:
+        """Whether a command could have been answered: programs also log only what they send."""
+        return not self.is_text or self._log.has_replies
+
     def _matching(self) -> Iterator[Event]:
         """Yields the records that match the filter, and everything that has no frames."""
         from ev3proto.capture.filter import Choosing  # takes 10 ms, which only filters need
@@ -125,7 +130,7 @@ class Part:
                 is_begun = True
             yield from choosing.take(event)
         yield from choosing.end()
-        if choosing.given_up:
+        if choosing.given_up and self._can_answer:
             sentence = (
                 f"{choosing.given_up} commands count as unanswered before the end of the capture: the"
                 f" memory limit is {options.memory // MIB} MiB (--memory)"

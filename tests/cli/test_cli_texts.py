@@ -243,9 +243,13 @@ def test_what_a_text_says_above_the_bytes_counts_for_them() -> None:
 def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path) -> None:
     path = tmp_path / "long.log"
     wide = "fe 03 {:02x} {:02x} 00 04 00" + " 01" * 1017
-    path.write_text("".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200)))
+    commands = "".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200))
+    path.write_text(commands + "03 00 af 04 02\n")
     done = run("stats", "--memory", "1", str(path))
     assert b"unanswered commands were dropped: the memory limit is 1 MiB" in done.stderr
+    # Without any reply, no command could be answered, so nothing is lost.
+    path.write_text(commands)
+    assert run("stats", "--memory", "1", str(path)).stderr == b""
 
 
 @pytest.mark.parametrize("command", ["stats", "values", "decode", "check"])

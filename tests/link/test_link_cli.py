@@ -88,6 +88,25 @@ def test_send_shows_errors_in_what_the_brick_takes_and_sends_it() -> None:
     assert "nothing was sent" not in done.stderr
 
 
+SPEED = "OUTPUT_SPEED(0, A, 50)"
+
+
+def test_send_says_why_a_single_frame_turns_no_motor() -> None:
+    done = run_ev3proto_text("send", "virtual", SPEED)
+    assert done.returncode == 0
+    assert done.stderr.splitlines()[:3] == [
+        "frame 1: the brick accepts it; 1 hint",
+        "",
+        "hint[H701]: OUTPUT_SPEED starts no motor: it sets what OUTPUT_START starts them with",
+    ]
+    assert "OUTPUT_SPEED(LAYER=0, NOS=1, SPEED=50)" in done.stdout
+
+
+def test_send_gives_no_such_hint_where_another_frame_starts_the_motor() -> None:
+    done = run_ev3proto_text("send", "virtual", SPEED, "OUTPUT_START(0, A)")
+    assert (done.returncode, "H701" in done.stderr) == (0, False)
+
+
 def test_send_to_a_virtual_brick_moves_the_motors_of_the_core_set() -> None:
     commands = ("OUTPUT_STEP_SPEED(0, A, 50, 0, 360, 0, 1)", "OUTPUT_READY(0, A)", "OUTPUT_GET_COUNT(0, 0, GV0(0))")
     done = run_ev3proto_text("send", "virtual", "--json", "--reply", *commands)

@@ -95,7 +95,7 @@ class TextLog:
 
     account      of the text that is read now; its packets are pieces of the text
     budget       limits the pending commands
-    has_replies  whether a reply was read; else all commands stay unanswered, and a dropped one is no loss
+    has_replies  whether a reply was read; else all commands stay unanswered, and dropping one loses nothing
     """
 
     def __init__(self, dialect: str, memory: int = DEFAULT_MEMORY) -> None:

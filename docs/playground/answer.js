@@ -38,7 +38,7 @@ import { view } from "./view.js";
 
 /** Shows an answer. @param {Answer} answer */
 export const show = (answer) => {
-  change({ error: answer.error, canFix: answer.isFixable, isStale: false });
+  change({ error: answer.error, canFix: answer.isFixable, count: answer.count, isStale: false });
   view(answer, (code) => source().ask("explain", code), (frame) => source().ask("about", frame));
   showMade(answer, (form) => source().ask("made", form));
   showDialogues(answer.dialogues);

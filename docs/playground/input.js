@@ -11,7 +11,7 @@ import { onLine } from "./view.js";
 const MOST_FILE = 32 << 20;
 const MOST_EDITED = 100_000;
 
-const input = find("input", HTMLTextAreaElement), file = find("file", HTMLInputElement), lesson = find("lesson", HTMLSelectElement);
+const input = find("input", HTMLTextAreaElement), filter = find("filter", HTMLInputElement), file = find("file", HTMLInputElement), lesson = find("lesson", HTMLSelectElement);
 
 // What is typed
 
@@ -27,10 +27,11 @@ const changed = () => {
   }
   file.value = "";
   input.placeholder = "";
-  change({ file: "", note: "" });
+  change({ file: "", note: "", filter: "" });
+  filter.value = "";
   find("start").hidden = text !== "";
   setAddress(text);
-  look(text.length, true, "look", text);
+  look(text.length, true, "look", text, "");
 };
 input.addEventListener("input", changed);
 
@@ -64,11 +65,13 @@ const open = async (opened) => {
   }
   if (input.value) replace("");
   file.value = "";
-  change({ file: opened.name, note: "" });
+  latest = { name: opened.name, bytes };
+  change({ file: opened.name, note: "", filter: "" });
+  filter.value = "";
   input.placeholder = opened.name;
   find("start").hidden = true;
   put("");
-  look(bytes.length, false, "open_file", opened.name, bytes);
+  look(bytes.length, false, "open_file", opened.name, bytes, "");
 };
 file.onchange = () => open(file.files?.[0]);
 
@@ -93,6 +96,17 @@ document.addEventListener("paste", (event) => {
   event.preventDefault();
   replace(text);
 });
+
+// The filter: the same is read again, and only some frames are shown
+
+/** The file that is read, if it is not the input. */
+let latest = { name: "", bytes: new Uint8Array() };
+
+filter.onchange = () => {
+  change({ filter: filter.value, note: "" });
+  if (state().file) look(latest.bytes.length, false, "open_file", latest.name, latest.bytes, filter.value);
+  else look(input.value.length, false, "look", input.value, filter.value);
+};
 
 // Examples
 
@@ -155,7 +169,7 @@ const openLink = async () => {
       input.value = text;
       change({ file: "" });
       find("start").hidden = text !== "";
-      look(text.length, false, "look", text);
+      look(text.length, false, "look", text, "");
     }
   } catch (error) {
     change({ error: error instanceof Error ? error.message : String(error) });
@@ -170,5 +184,5 @@ if (document.activeElement === document.body && !matchMedia("(pointer: coarse)")
 /** Reads what is there when Python is ready: the link, or what was typed meanwhile. */
 export const readFirst = async () => {
   find("start").hidden = input.value !== "";
-  if (!await openLink()) look(input.value.length, false, "look", input.value);
+  if (!await openLink()) look(input.value.length, false, "look", input.value, "");
 };

@@ -10,6 +10,8 @@
  * @property {import("./answer.js").Verdict} verdict  what the brick makes of the input
  * @property {string} byte  what the byte says that was chosen last
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
+ * @property {string} filter  which frames are shown; empty for all
+ * @property {number} count  the frames that were read
  * @property {boolean} isStale  whether what is shown belongs to an older input
  * @property {{part: number, count: number} | null} progress  of what takes long: the part that is done, the frames so far
  * @property {boolean} canFix  whether "Fix it" would change the input
@@ -30,6 +32,8 @@ let now = {
   verdict: { kind: "", text: "" },
   byte: "",
   file: "",
+  filter: "",
+  count: 0,
   isStale: false,
   progress: null,
   canFix: false,

@@ -594,6 +594,26 @@ def test_a_file_can_be_dropped_anywhere(page: Page) -> None:
     page.wait(lambda: page.input == LOG, 20)
 
 
+def test_a_filter_chooses_frames_of_logs_and_captures(page: Page) -> None:
+    field = page.browser.find_element(By.ID, "filter")
+    assert not field.is_displayed()
+    page.type(LOG)
+    page.wait(lambda: page.text("count") == "3 frames")
+    field.send_keys("op==SOUND.TONE && FREQUENCY>400", Keys.ENTER)
+    page.wait(lambda: "SOUND.TONE" in page.text("tree") and "UI_READ" not in page.text("tree"))
+    assert page.input == LOG
+    field.clear()
+    field.send_keys("op===", Keys.ENTER)
+    page.wait(lambda: "the filter:" in page.text("error"))
+    field.clear()
+    field.send_keys(Keys.ENTER)
+    page.wait(lambda: page.text("count") == "3 frames" and not page.text("error"))
+    page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
+    page.wait(lambda: page.run("return input.placeholder") == "usb.pcapng" and "GET_BRICKNAME" in page.text("tree"))
+    field.send_keys("op==UI_READ.GET_VBATT", Keys.ENTER)
+    page.wait(lambda: "GET_VBATT" in page.text("tree") and "GET_BRICKNAME" not in page.text("tree"))
+
+
 # Never blocked
 
 

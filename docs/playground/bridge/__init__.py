@@ -14,6 +14,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from ev3proto.capture.filter import FilterError, compile_filter
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.dialogue import Dialogue
@@ -86,37 +87,44 @@ def _nothing(_: str) -> None:
     """Publishes nothing."""
 
 
-def look(text: str, publish: Publish = _nothing) -> str:
+def look(text: str, expression: str = "", publish: Publish = _nothing) -> str:
     """Reads what was typed or pasted.
 
     Args:
         text: The text.
+        expression: A filter: which frames to show. Empty for all.
         publish: Is called with JSON, as long as it takes: `part` and `count` of what was read, or an `answer` so far.
 
     Returns:
         The answer: see `Input.answer`.
     """
+    return _read(expression, publish, lambda made: made.type(text))
+
+
+def _read(expression: str, publish: Publish, read: Callable[[Input], None]) -> str:
     global _now
-    _now = Input(publish)
-    _now.type(text)
+    try:
+        wanted = compile_filter(expression) if expression.strip() else None
+    except FilterError as error:
+        return json.dumps(Input().answer() | {"error": f"the filter: {error}\n"})
+    _now = Input(publish, wanted)
+    read(_now)
     return json.dumps(_now.answer())
 
 
-def open_file(name: str, data: Any, publish: Publish = _nothing) -> str:
+def open_file(name: str, data: Any, expression: str = "", publish: Publish = _nothing) -> str:
     """Reads a file, as `look` reads a text.
 
     Args:
         name: The name of the file, which is shown.
         data: The contents, as bytes or as a JavaScript array.
+        expression: As for `look`.
         publish: As for `look`.
     """
-    global _now
-    _now = Input(publish)
     is_plain = _FILE_NAME.fullmatch(name) is not None
     path = Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
     path.write_bytes(_bytes(data))
-    _now.open(path)
-    return json.dumps(_now.answer())
+    return _read(expression, publish, lambda made: made.open(path))
 
 
 def made(form: str) -> str:

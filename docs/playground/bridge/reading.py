@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
+from ev3proto.capture.filter import Filter
 from ev3proto.capture.record import Announcement, Place, Record, Skipped, elapsed
 from ev3proto.capture.timeline import Form, collect, render
 from ev3proto.dialogue import Exchange
@@ -57,7 +58,7 @@ MOST_WARNINGS = 20
 TYPED = "input"
 """The name of what was typed, in places."""
 
-OFTEN, SOON, LATE = 0.25, 1.0, 5.0
+OFTEN, SOON, LATE = 0.25, 1.0, 1.5
 """Seconds between two reports of progress; until a first part of the answer if the tree is full, and if it is not."""
 
 FEW_CHARACTERS = 4_000
@@ -78,7 +79,8 @@ Publish = Callable[[str], object]
 class Input:
     """One input, and what is shown of it."""
 
-    def __init__(self, publish: Publish = lambda _: None) -> None:
+    def __init__(self, publish: Publish = lambda _: None, wanted: Filter | None = None) -> None:
+        self._wanted = wanted
         self.image: bytes | None = None
         self._publish = publish
         self._rows = Rows(MOST_SHOWN)
@@ -127,7 +129,7 @@ class Input:
         self._read(self._again())
 
     def _read(self, given: Given) -> None:
-        self._reading = Reading([given], Options(raises=False))
+        self._reading = Reading([given], Options(raises=False, filter=self._wanted))
         for pair in dialogues(self._records(self._reading.events())):
             self._pair_count += 1
             if len(self._pairs) < MOST_DIALOGUES:

@@ -7,6 +7,7 @@ and the bytes in front of it are given out.
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 from typing import NamedTuple
@@ -193,7 +194,7 @@ def _parts(values: Values, base: str) -> Iterator[Part]:
     yield from found
     begun = {part.last for part in found}
     for place, token in enumerate(values.tokens):
-        if place not in begun and (data := _partial(token)[0]):
+        if place not in begun and (data := _partial(token).data):
             yield Part(place, data, [0, len(data)], [])
 
 
@@ -213,32 +214,38 @@ def _is_meant(found: Near, values: Values, before: str) -> bool:
 
 def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     """Returns bytes with what is wrong behind them: a slip, or an ellipsis."""
-    tokens, part = found.values.tokens, found.part
     if len(found.data) > 1 and frame_size(found.data) <= len(found.data):
         return found
-    lines = {row.number: row.line for row in rows}
+    tokens, part = found.values.tokens, found.part
     _, last = found.values.span(part, found.start, found.end)
-    place = next((at for at, offset in enumerate(part.offsets) if offset >= found.end), 0) + part.first
+    place = part.first + bisect_left(part.offsets, found.end)
     follows = tokens[place] if place < len(tokens) else None
+    line = next(row.line for row in rows if row.number == last.line)
+    if BYTES[base][last.text] is None:
+        return _stopped(found, last, rows)
     if follows is not None and follows.kind == "cut":
         is_half = len(last.text) == 1 and place > 1 and len(tokens[place - 2].text) == 2
         found = found._replace(data=found.data[:-1], end=found.end - 1) if is_half else found
-        notes = tuple(note for pattern, note in _WHO_CUTS if pattern.search(lines[last.line]))
-        return found._replace(cut=True, notes=notes)
+        return found._replace(cut=True, notes=tuple(note for who, note in _WHO_CUTS if who.search(line)))
     if follows is not None and found.end == len(part.data) and BYTES[base][follows.text] is None:
-        data, column, problem, cut = _partial(follows)
-        where = f"line {follows.line - rows[0].number + 1}, " if follows.line != last.line else ""
-        says = None if cut else f"{where}column {column + 1}: {problem}"
-        return found._replace(data=found.data + data, problem=says, cut=cut)
-    alone = _partial(last)
-    if alone[0] and BYTES[base][last.text] is None:
-        return found._replace(problem=None if alone[3] else f"column {alone[1] + 1}: {alone[2]}", cut=alone[3])
-    word = _WORD.match(lines[last.line], last.end)
-    if word is not None and _is_slip(word[1], last.text) and (follows is None or follows.start > word.start(1)):
-        return found._replace(
-            problem=f"column {word.start(1) + 1}: {not_a_byte(word[1], is_hex=last.kind == 'digits')}"
-        )
-    return found
+        return _stopped(found._replace(data=found.data + _partial(follows).data), follows, rows)
+    word = _WORD.match(line, last.end)
+    if word is None or not _is_slip(word[1], last.text) or (follows is not None and follows.start <= word.start(1)):
+        return found
+    problem = not_a_byte(word[1], is_hex=last.kind == "digits")
+    return found._replace(problem=f"{_where(last, rows)}column {word.start(1) + 1}: {problem}")
+
+
+def _stopped(found: Near, token: Token, rows: Sequence[Row]) -> Near:
+    """Returns bytes that end in a value with a slip."""
+    slip = _partial(token)
+    problem = None if slip.is_cut else f"{_where(token, rows)}column {slip.column + 1}: {slip.problem}"
+    return found._replace(problem=problem, cut=slip.is_cut)
+
+
+def _where(token: Token, rows: Sequence[Row]) -> str:
+    """Returns the line of a value below the first row, as it is named."""
+    return f"line {token.line - rows[0].number + 1}, " if token.line > rows[0].number else ""
 
 
 def _is_slip(word: str, value: str) -> bool:
@@ -246,42 +253,51 @@ def _is_slip(word: str, value: str) -> bool:
     return (len(word) == len(value) or word[:2] in ("0x", "\\x")) and BYTES["hex"][word] is None
 
 
-def _partial(token: Token) -> tuple[bytes, int, str, bool]:
-    """Returns the bytes in front of a slip in a value, the slip's column, what it is, and whether the value is cut."""
+class _Slip(NamedTuple):
+    """A slip in a value: the bytes in front of it, its column (from 0), what it is; or that the value is cut there."""
+
+    data: bytes
+    column: int
+    problem: str
+    is_cut: bool = False
+
+
+def _partial(token: Token) -> _Slip:
+    """Returns the slip in a value that has no bytes."""
+    text = token.text
     if token.kind == "open":
-        body = token.text.rstrip(". \u2026") if token.text.rstrip().endswith(("...", "\u2026")) else token.text
-        mark = next(sign for sign in token.text if sign in "\"'")
-        data = string_bytes(body[body.index(mark) + 1 :], "hex") or b""
-        return data, token.start, "the string that starts here never ends", body != token.text
-    if slip := MISSPELT.search(token.text):
+        is_cut = text.rstrip().endswith(("...", "\u2026"))
+        body = text.rstrip(". \u2026") if is_cut else text
+        data = string_bytes(body[1 + (body[0] == "b") :], "hex") or b""
+        return _Slip(data, token.start, "the string that starts here never ends", is_cut)
+    if slip := MISSPELT.search(text):
         at = slip.start("escape")
-        mark = next((sign for sign in token.text[:at] if sign in "\"'`"), "")
-        data = string_bytes(token.text[token.text.index(mark) + 1 if mark else 0 : at], "hex") or b""
-        return data, token.start + at, not_a_byte(slip["escape"]), False
-    digits = token.text[: len(token.text) & ~1]
-    is_odd = _is_hex(token.text) and len(token.text) > 4 and len(token.text) % 2 == 1
-    return bytes.fromhex(digits) if is_odd else b"", token.start, not_a_byte(token.text), False
+        quote = next((place for place, sign in enumerate(text[:at]) if sign in "\"'`"), -1)
+        data = string_bytes(text[quote + 1 : at], "hex") or b""
+        return _Slip(data, token.start + at, not_a_byte(slip["escape"]))
+    is_odd = _is_hex(text) and len(text) > 4 and len(text) % 2 == 1
+    return _Slip(bytes.fromhex(text[:-1]) if is_odd else b"", token.start, not_a_byte(text))
 
 
 def told(row: Row) -> str | None:
     """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
     values = Values(row.tokens)
     part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
-    if part is None or part.last < len(values.tokens) or part.first:
+    if part is None or part.last < len(values.tokens) or part.first or row.after.strip(AROUND):
         return None
-    first, last = values.span(part, 0, len(part.data))
+    first, data = values.tokens[0], part.data
     before = row.line[: first.start]
     is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
-    if row.line[last.end :].strip(AROUND) or not (is_alone or head_of(before).direction is not None):
+    is_counted = {*values.widths} != {2} and all(token.text.isdecimal() for token in values.tokens)
+    if 1 in values.widths or is_counted or not (is_alone or head_of(before).direction is not None):
         return None
-    widths = {*values.widths}
-    is_counted = widths != {2} and all(token.text.isdecimal() for token in values.tokens)
+    # Operations by their names are assembly, if they are not joined.
     is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
-    if first.kind == "string" or is_assembly or 1 in widths or is_counted:
-        return None  # operations by their names are assembly
-    is_hash = (len(values.tokens) == 1 and len(part.data) in HASHES) or _ADDRESS.match(row.line, first.start)
-    is_dull = len(values.tokens) > 1 and len({*part.data}) < LEAST - 1
-    return strange_bytes(part.data) or (None if is_hash or is_dull else bare_reason(part.data))
+    is_address = _ADDRESS.match(row.line, first.start) is not None
+    is_dull = len(values.tokens) > 1 and len({*data}) < LEAST - 1
+    if first.kind == "string" or is_assembly:
+        return None
+    return strange_bytes(data) or (None if _is_digest(part, data) or is_address or is_dull else bare_reason(data))
 
 
 def not_a_byte(word: str, *, is_hex: bool = True) -> str:
@@ -329,8 +345,8 @@ def as_given(line: str) -> Pasted:
             found = _with_stop(Near(part.data, values, part, 0, len(part.data)), base, [row])
             return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem)
     if row.tokens and row.is_bare:
-        _, column, problem, _ = _partial(row.tokens[0])
-        return Pasted(b"", 1, shown, problem=f"column {column + 1}: {problem}")
+        slip = _partial(row.tokens[0])
+        return Pasted(b"", 1, shown, problem=f"column {slip.column + 1}: {slip.problem}")
     if not line.strip():
         return Pasted(b"", 1, "", problem="it is empty")
     word = line.split()[0].rstrip("\"'`)]}>;,")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property, lru_cache, partial
 from itertools import accumulate, pairwise
 from typing import NamedTuple
@@ -92,23 +92,26 @@ class Values:
     def breaks(self) -> list[int]:
         """The places of the values in front of which something changes: the usual gap, or how values are written."""
         shapes = [shape(token.gap) for token in self.tokens]
-        usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
         strings = [token.kind == "string" for token in self.tokens]
-        is_pair = len(shapes) == 2 and not any(strings) and not any(map(str.isalpha, usual))
-        usual = usual if count > 1 or is_pair else ""
-        widths = self.widths
+        usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
+        if count == 1 and (len(shapes) > 2 or any(strings) or any(map(str.isalpha, usual))):
+            usual = ""
+        is_uniform = len({*self.widths}) == 1 and self.widths[0] < 2 * LEAST and not any(strings)
         return [
             place
             for place in range(1, len(shapes))
-            if place not in self.rows
-            and (
-                shapes[place] != usual
-                or strings[place - 1] != strings[place]
-                or (min(widths[place - 1 : place + 1]) >= 2 * LEAST and _QUOTES.search(self.tokens[place].gap))
-                or (place == 1 and widths[0] > max(3, widths[1]) and widths[1] > 0)
-                or min(widths[place - 1 : place + 1]) < LEAST <= max(widths[place - 1 : place + 1]) // 2
-            )
+            if place not in self.rows and (shapes[place] != usual or (not is_uniform and self._changes(place)))
         ]
+
+    def _changes(self, place: int) -> bool:
+        """Returns whether a value is hardly of one kind with the one in front of it: a string, an offset, a literal."""
+        first, second = self.tokens[place - 1 : place + 1]
+        if (first.kind == "string") != (second.kind == "string"):
+            return True
+        last, width = self.widths[place - 1 : place + 1]
+        is_offset = place == 1 and last > max(3, width) and width > 0
+        is_literal = min(last, width) >= 2 * LEAST and _QUOTES.search(second.gap) is not None
+        return is_offset or is_literal or min(last, width) < LEAST <= max(last, width) // 2
 
     @cached_property
     def opens(self) -> list[int]:
@@ -168,37 +171,53 @@ class Values:
         return self.tokens[part.first + first], self.tokens[part.first + last]
 
 
-_NEEDED = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
-"""The digits that one value must have to be read in a base."""
+class _Digits(NamedTuple):
+    """Bare digits: the groups, how long they are, and whether something else is among them."""
+
+    texts: list[str]
+    widths: set[int]
+    are_all: bool
+    are_signed: bool
+
+    @property
+    def have_zero(self) -> bool:
+        """Whether a group of two is padded with a zero."""
+        return any(len(text) == 2 and text[0] == "0" for text in self.texts)
+
+
+_BY_DIGITS: tuple[tuple[str, Callable[[_Digits], bool], tuple[str, ...]], ...] = (
+    ("00001111 00000000 00000010", lambda one: one.widths == {8} and {*"".join(one.texts)} <= {"0", "1"}, ("bits",)),
+    ("0017, 0000, 0200", lambda one: one.widths == {4} and all(text[0] == "0" for text in one.texts), ("octal", "hex")),
+    ("15, 0, -128", lambda one: one.are_signed, ("decimal", "hex")),
+    ("0f 00 80", lambda one: one.widths == {2} and one.have_zero, ("hex",)),
+    ("0f000000 8000, 0f 0 80", lambda one: max(one.widths) >= 4 or one.have_zero, ("hex", "decimal")),
+    ("10 20 30", lambda one: one.widths == {2} and one.are_all, ("hex", "decimal")),
+    ("15 0 128", lambda _: True, ("decimal", "hex")),
+)
+"""The bases of bare digits, the likeliest first: an example, what tells them; the first row that fits counts."""
+
+_BY_WIDTH = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
+"""The digits that one value must have to be read in a base that any digits may have."""
 
 
 def _bases(tokens: Sequence[Token]) -> Sequence[str]:
     """Returns the bases that values may have, the likeliest first."""
     kinds = {token.kind for token in tokens}
-    bare = [token.text for token in tokens if token.kind == "digits"]
-    if len(bare) > 1 and len(bare[0]) >= 4 and max(map(len, bare[1:])) < 4:
-        bare = bare[1:]  # an offset
-    quoted = ("unquoted",) if "character" in kinds else ()
-    if not bare:
-        if any(token.kind == "string" and _DECIMAL_ESCAPE.search(token.text) for token in tokens):
-            return ("decimal", "hex", *quoted)
-        return ("hex", "decimal", *quoted) if "string" in kinds else ("hex", *quoted)
-    widths = {*map(len, bare)}
-    most = max(widths)
-    if most == 8 and {*"".join(bare)} <= {"0", "1"}:
-        return ("bits",) if len(bare) > _FEW else ("bits", "hex")
-    is_signed = any(token.text[0] == "-" for token in tokens)
-    is_padded = not is_signed and (
-        (widths == {2} and len(bare) == len(tokens))
-        or most >= 4
-        or any(len(one) == 2 and one[0] == "0" for one in bare)
-    )
-    if widths == {2} and is_padded and any(one[0] == "0" for one in bare):
-        return ("hex", *quoted)
-    if widths == {4} and len(bare) > _FEW and all(one[0] == "0" for one in bare):
-        return ("octal", "hex", "words")
-    others = [base for base, needed in _NEEDED if most >= needed]
-    return ("hex", "decimal", *others, *quoted) if is_padded else ("decimal", "hex", *others, *quoted)
+    texts = [token.text for token in tokens if token.kind == "digits"]
+    if len(texts) > 1 and len(texts[0]) >= 4 > max(map(len, texts[1:])):
+        texts = texts[1:]  # an offset
+    if texts:
+        bare = _Digits(texts, {*map(len, texts)}, len(texts) == len(tokens), any(one.text[0] == "-" for one in tokens))
+        most = max(bare.widths)
+        bases = next(bases for _, test, bases in _BY_DIGITS if test(bare))
+        if bases != ("bits",) or len(texts) <= _FEW:
+            bases = (*bases, *(base for base, needed in _BY_WIDTH if most >= needed and base not in bases))
+    elif "string" not in kinds:
+        bases = ("hex",)
+    else:
+        is_decimal = any(token.kind == "string" and _DECIMAL_ESCAPE.search(token.text) for token in tokens)
+        bases = ("decimal", "hex") if is_decimal else ("hex", "decimal")
+    return (*bases, "unquoted") if "character" in kinds else bases
 
 
 class Worth(NamedTuple):
@@ -241,38 +260,35 @@ def _is_likely(frame: bytes, values: Values, base: str, *, is_all: bool) -> bool
     if values.is_guess and values.has_unknown:
         known = sum(token.kind != "unknown" for token in values.tokens)
         return known * 2 > len(values.tokens) and is_command(frame) and is_sure(frame)
-    if is_all and base != "base64":
+    if (is_all or not values.is_guess) and base != "base64":
         return is_flawless(frame)
-    return (
-        is_sure(frame) and (is_all or is_command(frame)) if values.is_guess or base == "base64" else is_flawless(frame)
-    )
+    return is_sure(frame) and (is_all or is_command(frame))
 
 
 def _read(values: Values, base: str) -> Reading:
-    is_bare_decimal = base == "decimal" and any(values.widths)
-    is_trusted = 1 not in values.widths and (not is_bare_decimal or {*values.widths} == {3})
+    """Returns the frames in a sequence, in one base."""
+    is_decimal = base == "decimal" and any(values.widths)
+    is_trusted = 1 not in values.widths and (not is_decimal or {*values.widths} == {3})
     parts = []
     for part in values.parts(base):
-        if len(part.data) < LEAST:
-            continue
         is_given = is_trusted and not any(values.is_torn(part))
         frames = frames_in(part.data, partial(values.edges, part), is_trusted=is_given)
-        if base in UNLIKELY or values.is_guess:
-            frames = [frame for frame in frames if frame.is_natural or base not in UNLIKELY]
-            is_all = (
-                len(frames) == 1
-                and frames[0][:2] == (0, len(part.data))
-                and part.last - part.first == len(values.tokens)
-            )
-            frames = [one for one in frames if _is_likely(part.data[one.start : one.end], values, base, is_all=is_all)]
-        if is_bare_decimal:
+        if base in UNLIKELY or is_decimal:
             frames = [frame for frame in frames if frame.is_natural]
+        if base in UNLIKELY or values.is_guess:
+            is_all = part.last == len(values.tokens) and [one[:2] for one in frames] == [(0, len(part.data))]
+            frames = [one for one in frames if _is_likely(part.data[one.start : one.end], values, base, is_all=is_all)]
         if frames:
             parts.append(part._replace(frames=frames))
+    return Reading(_worth(values, parts), values, base, parts)
+
+
+def _worth(values: Values, parts: list[Part]) -> Worth:
+    """Returns what the frames in a sequence are worth."""
     if not parts:
-        return Reading(Worth(), values, base, parts)
-    last = parts[-1]
-    natural = sum(frame.end - frame.start for part in parts for frame in part.frames if frame.is_natural)
-    size = sum(frame.end - frame.start for part in parts for frame in part.frames)
+        return Worth()
+    frames, last = [frame for part in parts for frame in part.frames], parts[-1]
+    natural = sum(frame.end - frame.start for frame in frames if frame.is_natural)
+    size = sum(frame.end - frame.start for frame in frames)
     has_rest = last.last < len(values.tokens) or any(last.data[last.frames[-1].end :])
-    return Reading(Worth(natural == size and not has_rest, natural, size), values, base, parts)
+    return Worth(natural == size and not has_rest, natural, size)

@@ -290,3 +290,67 @@ def test_downloads_longer_than_other_frames(size: int) -> None:
 def test_a_frame_with_a_wrong_length_is_not_dropped_for_the_next_line() -> None:
     lines = ["09:00|2A:00|80|00:00|81|01|60|", "06:00|2A:00|00|00:00|01|"]
     assert [(piece.line, len(piece.data)) for piece in read_text(iter(lines))] == [(1, 10), (2, 8)]
+
+
+MAILBOX = bytes.fromhex("0c 00 01 00 81 9e 04 61 62 63 00 01 00 01")
+CHARACTERS = (
+    "byte msg[] = {0x0C, 0x00, 0x01, 0x00, 0x81, 0x9E, 0x04, 'a', 'b', 'c', 0x00, 0x01, 0x00, 0x01};",
+    "new byte[] { 0x0C, 0, 1, 0, (byte)0x81, (byte)0x9E, 4, (byte)'a', (byte)'b', (byte)'c', 0, 1, 0, 1 };",
+    "[12, 0, 1, 0, 0x81, 0x9E, 4, ord('a'), ord('b'), ord('c'), 0, 1, 0, 1]",
+    "<<12,0,1,0,129,158,4,$a,$b,$c,0,1,0,1>>",
+    "m[0]=12;m[1]=0;m[2]=1;m[3]=0;m[4]=0x81;m[5]=0x9e;m[6]=4;m[7]='a';m[8]='b';m[9]='c';m[10]=0;m[11]=1;m[12]=0;m[13]=1;",
+    "bytes([12, 0, 1, 0, 0x81, 0x9e, 4]) + b'abc\\0' + bytes([1, 0, 1])",
+    "".join(f"BT.write(0x{byte:02X}); " for byte in MAILBOX).replace(
+        "BT.write(0x61); BT.write(0x62); BT.write(0x63); ", 'BT.print("abc"); '
+    ),
+    "".join(f"BT.write((byte)0x{byte:02X});\n" for byte in MAILBOX).replace(
+        "BT.write((byte)0x61);\nBT.write((byte)0x62);\nBT.write((byte)0x63);\n", 'BT.print("abc");\n'
+    ),
+)
+
+
+@pytest.mark.parametrize("text", CHARACTERS)
+def test_characters_in_quotes_are_their_codes(text: str) -> None:
+    assert the_only(text) == MAILBOX
+
+
+def test_a_character_alone_in_quotes_may_be_a_digit() -> None:
+    assert (
+        the_only("['f', '0', '0', '0', '80', '0', '0', '94', '1', '81', '2', '82', 'e8', '3', '82', 'e8', '3']") == TONE
+    )
+
+
+@pytest.mark.parametrize("form", ["data[{at}] = {value};\n", "data[{at}] = {value}; "])
+def test_the_size_in_a_variable(form: str) -> None:
+    values = ["totalLength", *(f"0x{byte:02X}" for byte in MAILBOX[1:])]
+    (piece,) = pieces("".join(form.format(at=at, value=value) for at, value in enumerate(values)))
+    assert piece.data == MAILBOX
+    assert [(one.offset, one.line, one.text) for one in piece.unknown] == [(0, 1, "totalLength")]
+
+
+SCANNED = {
+    "06 00 2a 00 8O 00 00 01": "column 13: '8O' is not hex; did you mean '80'?",
+    "0e 00 2a 00 80 00 00 94 0l 01 82 b8 01 82 e8 03": "column 25: '0l' is not hex; did you mean '01'?",
+    "O6002a0080000001": "column 1: 'O6002a0080000001' is not hex; did you mean '06002a0080000001'?",
+}
+
+
+@pytest.mark.parametrize("text", SCANNED)
+def test_letters_for_digits_as_pictures_are_scanned(text: str) -> None:
+    (piece,) = pieces(text)
+    assert piece.problem == SCANNED[text]
+
+
+def test_rows_of_matlab_that_are_printed_in_blocks() -> None:
+    rows = "\n".join("".join(f"{byte:6}" for byte in part) for part in (TONE[:13],))
+    rest = "".join(f"{byte:6}" for byte in TONE[13:])
+    assert the_only(f"  Columns 1 through 13\n\n{rows}\n\n  Columns 14 through 17\n\n{rest}\n") == TONE
+
+
+@pytest.mark.parametrize(
+    "text", ["{length = 17, bytes = 0x0f000000 80000094 ... e80382e8 03}", "<0f000000 80000094 ... 03>"]
+)
+def test_data_of_objective_c_that_is_cut_in_the_middle(text: str) -> None:
+    (piece,) = pieces(text)
+    assert (piece.data, piece.cut) == (TONE[:8], True)
+    assert "NSData" in piece.notes[0]

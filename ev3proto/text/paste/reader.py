@@ -138,7 +138,7 @@ class Reader:
         self._before: deque[str] = deque(maxlen=_MOST_BEFORE)
         self._strange: Pasted | None = None
         self._has_frame = False
-        self._ended: tuple[Row, int] | None = None
+        self._ended: tuple[Reading, list[Row]] | None = None
 
     def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
         """Yields all pieces in the lines, in their order."""
@@ -244,7 +244,7 @@ class Reader:
         found: list[Pasted] = []
         if reading is not None:
             found = list(self._pieces(reading, lines, above))
-            self._ended = _ended(reading, rows) if all(piece.problem is None for piece in found) else None
+            self._ended = (reading, rows) if reading.worth.is_whole else None
         if one is not None:
             one = _without_sum(one, self._check_sum())
             piece = self._piece(one.values, one.part, one.start, one.end, lines, above)
@@ -365,27 +365,22 @@ def _follows(tokens: Sequence[Token], count: int) -> Pasted:
     return Pasted(b"", tokens[0].line, short(shown, MAX_TEXT), problem=problem)
 
 
-def _ended(reading: Reading, rows: list[Row]) -> tuple[Row, int] | None:
-    """Returns the last row of a frame that is complete, and the place in it where the bytes begin."""
-    if not reading.worth.is_whole:
-        return None
-    first = reading.values.tokens[reading.parts[0].first]
-    starts = [token.start >= first.start for token in rows[-1].tokens] if len(rows) == 1 else []
-    return rows[-1], starts.index(True) if True in starts else 0
-
-
-def _below(row: Row, ended: Row, place: int) -> Pasted | None:
+def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     """Returns the bytes in a row below a frame that is complete without them, but is written like them."""
+    ended = rows[-1]
+    first = reading.values.tokens[reading.parts[0].first]
+    starts = [token.start >= first.start for token in ended.tokens] if len(rows) == 1 else []
+    place = starts.index(True) if True in starts else 0
     if row.number != ended.number + 1 or len(row.tokens) <= place or row.front(place) != ended.front(place):
         return None
     tokens, others = row.tokens[place:], ended.tokens[place:]
-    is_alike = {len(token.text) for token in tokens} <= {len(token.text) for token in others}
-    is_dump = row.is_bare or row.front(place).endswith((":", ">"))
-    if len(tokens) > len(others) or row.after.strip(AROUND) or not is_alike or not is_dump:
+    if not {len(token.text) for token in tokens} <= {len(token.text) for token in others}:
         return None
-    if not "".join(token.text for token in tokens).strip("0x, ") or any(
-        token.text.isupper() and len(token.text) > 4 for token in tokens
-    ):
+    is_dump = row.is_bare or row.front(place).endswith((":", ">"))
+    if len(tokens) > len(others) or row.after.strip(AROUND) or not is_dump:
+        return None
+    is_zero = not "".join(token.text for token in tokens).strip("0x, ")
+    if is_zero or any(token.text.isupper() and len(token.text) > 4 for token in tokens):
         return None
     return _follows(tokens, sum(len(token.text) // 2 or 1 for token in tokens))
 

@@ -65,6 +65,8 @@ class Values:
         bases: The bases that they may have, the likeliest first.
         rows: The places of the values that begin a line, but for the first.
         is_guess: Some values of the lines are left out, so that only what is surely a frame counts.
+        widths: The digits of each value; 0 for those that say themselves what they are.
+        has_unknown: Some of their bytes are not given.
     """
 
     def __init__(
@@ -76,17 +78,10 @@ class Values:
         is_guess: bool = False,
     ) -> None:
         self.tokens, self.rows, self.is_guess = tokens, rows, is_guess
-        self.bases = _bases(tokens) if bases is None else bases
-
-    @cached_property
-    def has_unknown(self) -> bool:
-        """Whether some of their bytes are not given."""
-        return any(token.kind == "unknown" for token in self.tokens)
-
-    @cached_property
-    def widths(self) -> list[int]:
-        """The digits of each value; 0 for those that say themselves what they are."""
-        return [len(token.text) if token.kind == "digits" else 0 for token in self.tokens]
+        self.widths = [len(token.text) if token.kind == "digits" else 0 for token in tokens]
+        kinds = {token.kind for token in tokens}
+        self.has_unknown = "unknown" in kinds
+        self.bases = _bases(tokens, kinds) if bases is None else bases
 
     @cached_property
     def breaks(self) -> list[int]:
@@ -200,14 +195,15 @@ _BY_WIDTH = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
 """The digits that one value must have to be read in a base that any digits may have."""
 
 
-def _bases(tokens: Sequence[Token]) -> Sequence[str]:
-    """Returns the bases that values may have, the likeliest first."""
-    kinds = {token.kind for token in tokens}
+def _bases(tokens: Sequence[Token], kinds: set[str]) -> Sequence[str]:
+    """Returns the bases that values of some kinds may have, the likeliest first."""
     texts = [token.text for token in tokens if token.kind == "digits"]
     if len(texts) > 1 and len(texts[0]) >= 4 > max(map(len, texts[1:])):
         texts = texts[1:]  # an offset
     if texts:
-        bare = _Digits(texts, {*map(len, texts)}, len(texts) == len(tokens), any(one.text[0] == "-" for one in tokens))
+        are_all = len(texts) == len(tokens)
+        are_signed = not are_all and any(one.text[0] == "-" for one in tokens)
+        bare = _Digits(texts, {*map(len, texts)}, are_all, are_signed)
         most = max(bare.widths)
         bases = next(bases for _, test, bases in _BY_DIGITS if test(bare))
         if bases != ("bits",) or len(texts) <= _FEW:

@@ -60,7 +60,7 @@ TEXT = "\ufffb"
 """What is read in place of the first quote of a string without escapes, if its characters are bytes."""
 
 _H = "[0-9a-fA-F]"
-_SUFFIX = r"(?:_?u8|[uU]?[yYlL]|[lL]?[uU]|\.to(?:U?Byte|Char)\(\))"
+_SUFFIX = r"(?:_?u8|[uU]?[yYL]|L?[uU]|\.to(?:U?Byte|Char)\(\))"
 _ESCAPE = rf"\\(?:[xX]\{{?{_H}{{1,2}}\}}?|u00{_H}{{2}}|u\{{{_H}{{1,2}}\}}|[0-3]?[0-7]{{1,2}}|[abtnvfre\\\"'\ \#])"
 _CHARACTER = rf"(?:\\(?:[xX]{_H}{{1,2}}|[0-7]{{1,3}}|[^\dxX])|[^'\\])"
 _MACRO = r"(?:LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\([^()]{0,80}\)"
@@ -215,7 +215,8 @@ def split(line: str, number: int) -> tuple[list[Token], str]:
         if kind == "other":
             gap += "~"
         elif kind != "blank":
-            found.append(Token(kind, match[0], begin, end, gap, number))
+            # As Token(...), in half its time: lines have many.
+            found.append(tuple.__new__(Token, (kind, match[0], begin, end, gap, number)))
             gap = ""
     return found, gap + line[at:]
 
@@ -288,10 +289,6 @@ _MARKED_HEX = re.compile(rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)
 _MARKED_BITS = re.compile(r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})")
 _MARKED_DECIMAL = re.compile(rf"(-?\d+){_SUFFIX}?")
 _CALL = re.compile(r"(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
-_ESCAPES = {
-    base: re.compile(rf"\\(?:u00({_H}{{2}})|[xXu](?:\{{({_H}{{1,2}})\}}|({_H}{{1,2}}))|({digits})|(.))", re.DOTALL)
-    for base, digits in (("hex", "[0-3]?[0-7]{1,2}"), ("decimal", r"\d{1,3}"))
-}
 _NAMED = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
 MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<escape>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
 r"""An escape without hex digits, such as `\xof`."""
@@ -390,21 +387,36 @@ def _of_base64(text: str) -> bytes | None:
 
 def string_bytes(body: str, base: str) -> bytes | None:
     r"""Returns the bytes of what is between two quotes; in the base "decimal", `\128` is one byte, as in Lua."""
+    known = _CHARACTERS["decimal" if base == "decimal" else "hex"]
+    try:
+        return (
+            None if MISSPELT.search(body) else known.escapes.sub(lambda found: known[found[0]], body).encode("latin-1")
+        )
+    except UnicodeEncodeError:
+        return None
 
-    def character(found: re.Match[str]) -> str:
+
+class _Characters(dict[str, str]):
+    """The characters of escapes, with octal or with decimal digits."""
+
+    def __init__(self, base: int, digits: str) -> None:
+        self._base = base
+        self.escapes = re.compile(
+            rf"\\(?:u00({_H}{{2}})|[xXu](?:\{{({_H}{{1,2}})\}}|({_H}{{1,2}}))|({digits})|(.))", re.DOTALL
+        )
+
+    def __missing__(self, escape: str) -> str:
+        found = self.escapes.fullmatch(escape)
+        assert found is not None
         *digits, number, other = found.groups()
         if other is not None:
             # A letter without a meaning is itself after its backslash, as in Python.
-            return _NAMED.get(other, found[0] if other.isalpha() else other)
-        return chr(
-            int(next(filter(None, digits)), 16) if number is None else int(number, 10 if base == "decimal" else 8)
-        )
+            return _NAMED.get(other, escape if other.isalpha() else other)
+        code = int(next(filter(None, digits)), 16) if number is None else int(number, self._base)
+        return self.setdefault(escape, chr(code))
 
-    try:
-        escapes = _ESCAPES["decimal" if base == "decimal" else "hex"]
-        return None if MISSPELT.search(body) else escapes.sub(character, body).encode("latin-1")
-    except UnicodeEncodeError:
-        return None
+
+_CHARACTERS = {"hex": _Characters(8, "[0-3]?[0-7]{1,2}"), "decimal": _Characters(10, r"\d{1,3}")}
 
 
 @cache

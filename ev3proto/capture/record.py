@@ -275,9 +275,9 @@ class Record:
         return max(self.numbers)
 
     @property
-    def carrier(self) -> Carrier:
-        """USB, Bluetooth or WiFi."""
-        return self.route.carrier
+    def carrier(self) -> Carrier | None:
+        """USB, Bluetooth or WiFi; None in a text, which does not tell it."""
+        return None if self.route.is_text else self.route.carrier
 
     @property
     def source(self) -> str:

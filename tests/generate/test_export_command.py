@@ -92,7 +92,7 @@ def test_a_frame_becomes_a_capture(carrier: str, tmp_path: Path) -> None:
     done = run("pcapng", "--carrier", carrier, TONE, "-o", str(path))
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
     (record,) = [event for event in capture.read(path).events() if isinstance(event, Record)]
-    assert (record.frame.hex(), record.carrier.value, record.direction) == (TONE, carrier, "sent")
+    assert (record.frame.hex(), str(record.carrier), record.direction) == (TONE, carrier, "sent")
     assert list(tmp_path.iterdir()) == [path]
 
 

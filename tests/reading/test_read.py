@@ -53,7 +53,8 @@ def nothing_is_printed(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
 def test_a_frame_in_any_form(source: ev3proto.reading.Readable) -> None:
     (record,) = records(source)
     assert record.message.build() == ASK
-    assert record.direction == "sent"
+    assert (record.direction, record.carrier) == ("sent", None)
+    assert repr(record) == f"<Record {record.place} sent {ASK.hex()}>"
 
 
 def test_sources_share_a_dialogue() -> None:

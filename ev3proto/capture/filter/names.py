@@ -249,7 +249,7 @@ NAMES = {
     "target": _address("target", "address of the receiver, likewise", "target == 192.0.2.10:5555"),
     "carrier": _known(
         _one_of("carrier", Carrier),
-        lambda record: _text(record.carrier),
+        lambda record: () if record.carrier is None else _text(record.carrier),
         f"one of {', '.join(Carrier)}",
         "carrier == bluetooth",
     ),

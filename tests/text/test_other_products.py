@@ -11,6 +11,8 @@ from support.cases import each
 from support.notations import NOTATIONS
 from support.typical import COMMANDS, SYSTEM, frame, with_length
 
+from ev3proto import parse
+from ev3proto.system import writemailbox
 from ev3proto.text.paste import read_argument, read_text
 
 SLIPS: dict[str, Callable[[bytes, int], bytes]] = {
@@ -59,3 +61,44 @@ def test_a_telegram_of_another_product_is_named(text: str) -> None:
     (piece,) = read_text(["connected\n", f"{text}\n"])
     assert piece.data == b""
     assert STRANGERS[text] in (piece.problem or "")
+
+
+FORWARD = (
+    "this is the text 'forward', not a frame; a Messaging block needs WRITEMAILBOX: for its mailbox 'abc', send"
+    " 13 00 00 00 81 9E 04 61 62 63 00 08 00 66 6F 72 77 61 72 64 00"
+)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "66 6F 72 77 61 72 64",
+        "666F7277617264",
+        "0x66, 0x6f, 0x72, 0x77, 0x61, 0x72, 0x64, 0x00",
+        "TX: 66 6F 72 77 61 72 64 0D 0A",
+        "b'forward'",
+        r"Sent b'forward\r\n'",
+        '12:01:02.123 Sent: "forward"',
+    ],
+)
+def test_text_that_was_sent_to_a_brick_is_named_with_the_frame_that_carries_it(line: str) -> None:
+    (piece,) = read_text([f"{line}\n"])
+    assert (piece.data, piece.problem) == (b"", FORWARD)
+    assert parse(bytes.fromhex(FORWARD.rpartition("send ")[2])).build() == writemailbox("abc", "forward").build()
+
+
+def test_a_long_text_is_named_alone() -> None:
+    (piece,) = read_text([f"Sent b'{'turn left ' * 20}'\n"])
+    assert piece.problem == (
+        "this is the text 'turn left turn left tur…', not a frame; a Messaging block needs WRITEMAILBOX"
+    )
+
+
+@pytest.mark.parametrize("line", ["Received 'forward'", "x = 'forward'", "31 32 33 34", "b'1'", "Sent b'\\x0b\\x00'"])
+def test_other_texts_are_not_named(line: str) -> None:
+    assert [piece for piece in read_text([f"{line}\n"]) if "WRITEMAILBOX" in (piece.problem or "")] == []
+
+
+def test_a_text_among_frames_is_passed_over() -> None:
+    (piece,) = read_text(["Sent b'forward'\n", f"Sent {RIGHT}\n"])
+    assert piece.data.hex(" ") == RIGHT

@@ -5,7 +5,7 @@ import { showMade } from "./made.js";
 import { NOTHING } from "./places.js";
 import { source } from "./reading.js";
 import { offerRemedies } from "./remedies.js";
-import { change } from "./state.js";
+import { change, state } from "./state.js";
 import { view } from "./view.js";
 
 /** @typedef {import("./elements.js").Piece} Piece */
@@ -38,7 +38,7 @@ import { view } from "./view.js";
 
 /** Shows an answer. @param {Answer} answer */
 export const show = (answer) => {
-  change({ error: answer.error, canFix: answer.isFixable, count: answer.count, isStale: false });
+  change({ error: answer.error, canFix: answer.isFixable, canFilter: state().canFilter || answer.count > 1, isStale: false });
   view(answer, (code) => source().ask("explain", code), (frame) => source().ask("about", frame));
   showMade(answer, (form) => source().ask("made", form));
   showDialogues(answer.dialogues);

@@ -27,7 +27,7 @@ const changed = () => {
   }
   file.value = "";
   input.placeholder = "";
-  change({ file: "", note: "", filter: "" });
+  change({ file: "", note: "", filter: "", canFilter: false });
   filter.value = "";
   find("start").hidden = text !== "";
   setAddress(text);
@@ -66,7 +66,7 @@ const open = async (opened) => {
   if (input.value) replace("");
   file.value = "";
   latest = { name: opened.name, bytes };
-  change({ file: opened.name, note: "", filter: "" });
+  change({ file: opened.name, note: "", filter: "", canFilter: false });
   filter.value = "";
   input.placeholder = opened.name;
   find("start").hidden = true;

@@ -23,7 +23,7 @@ follow((known) => {
   find("send", HTMLButtonElement).disabled = !known.isReady;
   find("fix").hidden = !known.canFix || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);
-  find("filter").hidden = known.count < 2 && !known.filter;
+  find("filter").hidden = !known.canFilter;
   find("progress").hidden = known.progress === null;
   if (!known.progress) return;
   inside(find("progress"), "progress", HTMLProgressElement).value = known.progress.part;

@@ -11,7 +11,7 @@
  * @property {string} byte  what the byte says that was chosen last
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
  * @property {string} filter  which frames are shown; empty for all
- * @property {number} count  the frames that were read
+ * @property {boolean} canFilter  whether the input has several frames
  * @property {boolean} isStale  whether what is shown belongs to an older input
  * @property {{part: number, count: number} | null} progress  of what takes long: the part that is done, the frames so far
  * @property {boolean} canFix  whether "Fix it" would change the input
@@ -33,7 +33,7 @@ let now = {
   byte: "",
   file: "",
   filter: "",
-  count: 0,
+  canFilter: false,
   isStale: false,
   progress: null,
   canFix: false,

@@ -1669,33 +1669,51 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
     local NUMBERS = 0x040000
 
-    -- By place. `replies`: for a command, the number of the packet with its reply. `requests`, `delays` and `bodies`:
-    -- for a reply, the place of its command, the response time in nanoseconds, and, of a direct command, the bytes
-    -- after the type. A table for each takes less memory than a table for each reply. `unsure`: the replies for which
-    -- several commands waited. `transfers`: for a message, the state of its file.
-    local replies, requests, delays, bodies, unsure, transfers
+    -- Maximum number of different bodies that are shared.
+    local MOST_SHARED = 4096
 
-    -- One string for all equal bodies.
-    local shared_bodies
+    -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
+    -- nanoseconds or, once it is answered, the response time, and the bytes after the type. Arrays take the least memory.
+    -- `of_packet` has the number for the first message of a packet, command or reply; `others` for others, by place.
+    -- Of few: `unsure`, by number, if several commands waited; `transfers`, by place, the state of a message's file.
+    local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
+
+    -- One string for equal bodies.
+    local shared, shared_count
 
     local conversations
 
     function dialogues.forget()
-        replies, requests, delays, bodies, unsure, transfers = {}, {}, {}, {}, {}, {}
-        shared_bodies, conversations = {}, {}
+        asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
+        count, shared, shared_count, conversations = 0, {}, 0, {}
     end
     dialogues.forget()
 
-    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in nanoseconds, of a direct
-    -- command its `body`, the bytes after the type, and whether it `is_unsure`.
+    local function set_number(place, number)
+        local packet = storage.number_of(place)
+        if of_packet[packet] then
+            others[place] = number
+        else
+            of_packet[packet] = number
+        end
+    end
+
+    local function number_at(place)
+        local number = of_packet[storage.number_of(place)]
+        return number and (asked[number] == place or answers[number] == place) and number or others[place]
+    end
+
+    -- Returns the command that a reply answers: its `place`, the `delay` of the reply in nanoseconds, the `body`, the
+    -- bytes after the type (of a system command those that matter here), and whether it `is_unsure`.
     function dialogues.request_of(place)
-        local command = requests[place]
-        return command and { place = command, delay = delays[place], body = bodies[place], is_unsure = unsure[place] }
+        local at = number_at(place)
+        return at and { place = asked[at], delay = times[at], body = bodies[at], is_unsure = unsure[at] }
     end
 
     -- Returns the number of the packet with the reply to a command.
     function dialogues.reply_to(place)
-        return replies[place]
+        local at = number_at(place)
+        return at and answers[at] and storage.number_of(answers[at]) or nil
     end
 
     -- Returns the file that a message belongs to: path, size, bytes done.
@@ -1703,8 +1721,8 @@ do
         return transfers[place]
     end
 
-    -- Returns the conversation of a computer and a brick. `waiting` has the commands that wait for a reply: lists by
-    -- `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took for which one command
+    -- Returns the conversation of a computer and a brick. `waiting` has the numbers of the commands that wait for a
+    -- reply: lists by `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took for which one command
     -- waited. Transfers are `begun` by counter, and `open` by handle.
     function dialogues.conversation_of(key)
         local conversation = conversations[key]
@@ -1726,22 +1744,26 @@ do
         return floor(pinfo.rel_ts * 1e9 + 0.5)
     end
 
-    local function remember(conversation, place, message, pinfo)
+    local function remember(conversation, place, message, now)
+        -- Of a system command, its number and a handle are enough.
+        local body = sub(message.text, HEADER_SIZE + 1, message.command and HEADER_SIZE + 2 or -1)
+        if not shared[body] then
+            if shared_count == MOST_SHARED then shared, shared_count = {}, 0 end
+            shared[body], shared_count = body, shared_count + 1
+        end
+        count = count + 1
+        asked[count], answers[count], times[count], bodies[count] = place, false, now, shared[body]
+        set_number(place, count)
         local key = pending_key(message)
         local commands = conversation.waiting[key] or {}
         conversation.waiting[key] = commands
         if #commands == MOST_PER_COUNTER then table.remove(commands, 1) end
-        local body = sub(message.text, HEADER_SIZE + 1)
-        -- Of a system command, its number and a handle are enough.
-        if message.command then body = sub(body, 1, 2) end
-        body = shared_bodies[body] or body
-        shared_bodies[body] = body
-        commands[#commands + 1] = { place = place, time = nanoseconds(pinfo), body = body }
+        commands[#commands + 1] = count
     end
 
     -- Tells whether a reply has the size that its command requested.
     local function fits(message, command)
-        local type, sizes = message.type, reading.unsigned16(command.body, 0)
+        local type, sizes = message.type, reading.unsigned16(bodies[command], 0)
         if type.carries ~= "direct" or type.is_error or not sizes then return true end
         return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
     end
@@ -1766,7 +1788,7 @@ do
         return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
-    -- Returns the command that a reply answers, and whether others may be it. A brick answers in order: it is the
+    -- Returns the number of the command that a reply answers, and whether others may be it. A brick answers in order: it is the
     -- oldest that the reply fits and that has not waited much longer than this brick takes; the oldest of all if it is
     -- slow now; the newest if the reply fits none. Earlier commands are given up.
     local function answered(conversation, message, now)
@@ -1779,10 +1801,10 @@ do
         if is_unsure then
             local limit = longest and math.max(PAIRING.patience * longest, PAIRING.least) or PAIRING.first
             for index = #fitting, 1, -1 do
-                if now - commands[fitting[index]].time <= limit then found = fitting[index] end
+                if now - times[commands[fitting[index]]] <= limit then found = fitting[index] end
             end
         elseif commands[1] then
-            conversation.longest = math.max(longest or 0, now - commands[found].time)
+            conversation.longest = math.max(longest or 0, now - times[commands[found]])
         end
         local command = commands[found]
         for _ = 1, found do
@@ -1816,16 +1838,11 @@ do
         return add_piece(conversation, values.handle, transfer, values.data)
     end
 
-    -- Returns the handle in a command for an open file, which is its first field.
-    local function asked_handle(command)
-        return command and byte(command.body, 2)
-    end
-
-    -- The same for a reply. `request` is its command, nil if that was not captured.
-    local function follow_reply(conversation, message, request)
+    -- The same for a reply. `asked` is the handle in its command, which is the first field, if that was captured.
+    local function follow_reply(conversation, message, asked)
         local command, values = message.command, message.fields
         local failed = message.type.is_error or STATUS.fails[message.status] ~= false
-        local handle, transfer = values.handle or asked_handle(request), nil
+        local handle, transfer = values.handle or asked, nil
         if command.transfer == "begin" then
             transfer = conversation.begun[message.counter]
             conversation.begun[message.counter] = nil
@@ -1850,21 +1867,19 @@ do
         local is_on_file = message.command and message.command.transfer
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local transfer
+        local now, transfer = nanoseconds(pinfo), nil
         if type.is_command then
-            if type.wants_reply then remember(conversation, place, message, pinfo) end
+            if type.wants_reply then remember(conversation, place, message, now) end
             transfer = is_on_file and follow_request(conversation, message)
         else
-            local request, is_unsure = answered(conversation, message, nanoseconds(pinfo))
+            local request, is_unsure = answered(conversation, message, now)
+            local body = bodies[request]
             if request then
-                if conversation.state == "claimed" and is_proof(message, request.body) then
-                    conversation.state = "answered"
-                end
-                replies[request.place] = storage.number_of(place)
-                requests[place], bodies[place] = request.place, request.body
-                delays[place], unsure[place] = nanoseconds(pinfo) - request.time, is_unsure or nil
+                if conversation.state == "claimed" and is_proof(message, body) then conversation.state = "answered" end
+                answers[request], times[request], unsure[request] = place, now - times[request], is_unsure or nil
+                set_number(place, request)
             end
-            transfer = is_on_file and follow_reply(conversation, message, request)
+            transfer = is_on_file and follow_reply(conversation, message, body and byte(body, 2))
         end
         if transfer then
             transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }
@@ -2135,12 +2150,12 @@ do
 
     -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
-    local MOST_SUMMARIES = 1024
+    local MOST_BYTES = 64 * 1024
     local HEADER = ("\0"):rep(HEADER_SIZE)
-    local summaries, summary_count = {}, 0
+    local summaries, summary_bytes = {}, 0
 
     function operations.forget()
-        summaries, summary_count = {}, 0
+        summaries, summary_bytes = {}, 0
     end
 
     -- Returns the summary of a direct command without a tree, by its bytes after the type: `line`, `after`, `fault` and
@@ -2155,8 +2170,8 @@ do
             line = line, after = after, fault = fault, first = first, complaints = complaints, outputs = outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
         }
-        if summary_count == MOST_SUMMARIES then operations.forget() end
-        summaries[body], summary_count = summary, summary_count + 1
+        if summary_bytes > MOST_BYTES then operations.forget() end
+        summaries[body], summary_bytes = summary, summary_bytes + #body
         return summary
     end
 

@@ -98,9 +98,7 @@ end
 -- Returns empty statistics. Rows are by name; `waiting` has the commands without a reply so far, `open` the current
 -- transfers by brick and path.
 local function new_survey()
-    return {
-        operations = {}, bricks = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {},
-    }
+    return { operations = {}, bricks = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {} }
 end
 
 local function row_of(rows, name)
@@ -351,18 +349,14 @@ local function survey_of_capture()
     return survey
 end
 
-local function show_window(title, text)
-    TextWindow.new(title):set(text)
-end
-
 if gui_enabled() then
     -- Wireshark makes submenus of names with a slash only under Tools.
     register_menu("EV3: Operations, Bricks and Files", function()
-        show_window("EV3: Statistics", survey_text(survey_of_capture()))
+        TextWindow.new("EV3: Statistics"):set(survey_text(survey_of_capture()))
     end, MENU_STAT_UNSORTED)
     register_menu("EV3: Export Files...", function()
         new_dialog("EV3: Export Files", function(folder)
-            show_window("EV3: Exported Files", export_files(survey_of_capture(), folder))
+            TextWindow.new("EV3: Exported Files"):set(export_files(survey_of_capture(), folder))
         end, "Existing output folder")
     end, MENU_STAT_UNSORTED)
 end

@@ -1,14 +1,17 @@
-"""The dissector's fields for filters, besides those of parameters and of system messages, and its expert information.
+"""The dissector's fields for filters, besides those of parameters, and its expert information.
 
 Their names are a public interface: people have filters, columns and colouring rules with them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables.discovery import BEACON_LINES
+from ev3proto.tables.system import SYSTEM, Kind
 
 _PIECES = ("data", "busy")
 """The parts of a daisy reply that are not numbers."""
@@ -31,6 +34,24 @@ class Field(NamedTuple):
     name: str
     title: str
     rest: str = ""
+
+
+_KINDS = {
+    **{Kind.U8: "uint8", Kind.U16: "uint16", Kind.U32: "uint32", Kind.DATA: "bytes"},
+    **dict.fromkeys((Kind.TEXT, Kind.COUNTED_TEXT, Kind.LISTING), "string"),
+}
+
+
+def _of_system_messages() -> Iterator[Field]:
+    """Yields the fields of system messages; several messages share one."""
+    made = set[str]()
+    for command in SYSTEM:
+        for each in (*command.request, *command.reply):
+            name = filter_name(command, each)
+            if name not in made:
+                made.add(name)
+                shown = "base.HEX" if each.name in HEXADECIMAL else ""
+                yield Field(f"system_{name}", _KINDS[each.kind], name, label(each), shown)
 
 
 class Expert(NamedTuple):
@@ -104,6 +125,7 @@ FIELDS = (
     Field("unlock_serial", "string", "unlock.serial", "Serial number"),
     Field("accept", "string", "accept", "Accept"),
     *(Field(f"beacon_{name}", "string", f"beacon.{name}", label) for name, label in BEACON_LINES.items()),
+    *_of_system_messages(),
     # A daisy reply carries a sensor's data part by part.
     *(
         Field(f"daisy_{part.name}", "bytes" if part.name in _PIECES else "uint8", f"daisy.{part.name}", part.name)

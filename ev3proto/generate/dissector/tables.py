@@ -202,7 +202,7 @@ def _parameters(entry: Opcode | Command) -> Source:
 
 
 def _dialects(entry: Opcode | Command) -> dict[Any, object]:
-    return {} if entry.dialects == DIALECTS else {"dialects": Table(entry.dialects)}
+    return {} if entry.dialects == DIALECTS else {"dialects": Table(named=dict.fromkeys(entry.dialects, True))}
 
 
 ROLE_LABELS = {Role.LAYER: "Daisy chain", Role.PORT: "Port", Role.MOTOR: "Port", Role.MOTORS: "Ports"}

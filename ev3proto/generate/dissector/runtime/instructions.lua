@@ -29,39 +29,6 @@ do
         return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
     end
 
-    -- Makes the field of a system message; several messages share one.
-    local system_field
-    do
-        local MAKE_SYSTEM_FIELD = {
-            [U8] = ProtoField.uint8, [U16] = ProtoField.uint16, [U32] = ProtoField.uint32,
-            [TEXT] = ProtoField.string, [COUNTED_TEXT] = ProtoField.string, [LISTING] = ProtoField.string,
-            [BYTES] = ProtoField.bytes,
-        }
-
-        local made_fields = {}
-
-        function system_field(declared)
-            local abbreviation = "ev3." .. declared.filter
-            local made = made_fields[abbreviation]
-            if not made then
-                local hex = declared.hexadecimal and base.HEX or nil
-                made = MAKE_SYSTEM_FIELD[declared.kind](abbreviation, declared.label, hex)
-                made_fields[abbreviation] = made
-                fields[#fields + 1] = made
-            end
-            return made
-        end
-    end
-
-    -- Returns the meanings of special values in brackets, as they are shown after the value.
-    local function in_brackets(special)
-        local shown = {}
-        for value, meaning in pairs(special) do
-            shown[value] = "(" .. meaning .. ")"
-        end
-        return shown
-    end
-
     -- Returns the names of a parameter in filters and in the tree, and the kind of its values.
     local function described(name, row)
         local own, type = row[1], row[3]
@@ -90,7 +57,7 @@ do
             -- Whether it is a bit mask of ports.
             is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
             flags = is_flags and row.enum.names or nil,
-            special = row.special and not is_flags and in_brackets(row.special) or nil,
+            special = not is_flags and row.special or nil,
             length = row.length,
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
             -- What is said of a number outside of what the tables document, and the code of that.
@@ -196,11 +163,7 @@ do
     end
 
     local function has_dialect(row, dialect)
-        if not row.dialects then return true end
-        for _, name in ipairs(row.dialects) do
-            if name == dialect then return true end
-        end
-        return false
+        return not row.dialects or row.dialects[dialect]
     end
 
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
@@ -237,7 +200,7 @@ do
             for _, declared in ipairs(side) do
                 declared.name, declared.kind = declared[1], declared[2]
                 declared.filter, declared.label = declared[3], declared[4]
-                declared.field = system_field(declared)
+                declared.field = field["system_" .. declared.filter]
             end
         end
         SYSTEM_COMMANDS[row[1]] = command

@@ -12,16 +12,15 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
     local NUMBERS = 0x040000
 
-    -- Maximum number of different bodies that are shared.
     local MOST_SHARED = 4096
 
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, and the bytes after the type. Arrays take the least memory.
-    -- `of_packet` has the number for the first message of a packet, command or reply; `others` for others, by place.
-    -- Of few: `unsure`, by number, if several commands waited; `transfers`, by place, the state of a message's file.
+    -- nanoseconds or, once it is answered, the response time, and the bytes after the type. `of_packet` has the number
+    -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
+    -- commands waited; `transfers`, by place, the state of a message's file.
     local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
 
-    -- One string for equal bodies.
+    -- One string for equal bodies, up to a number of them.
     local shared, shared_count
 
     local conversations
@@ -65,8 +64,8 @@ do
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the numbers of the commands that wait for a
-    -- reply: lists by `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took for which one command
-    -- waited. Transfers are `begun` by counter, and `open` by handle.
+    -- reply: lists by `pending_key`, oldest first; `longest` is the longest time in nanoseconds that a reply took
+    -- for which one command waited. Transfers are `begun` by counter, and `open` by handle.
     function dialogues.conversation_of(key)
         local conversation = conversations[key]
         if not conversation then
@@ -131,9 +130,9 @@ do
         return pending_key(reply) == pending_key(command) and is_proof(reply, sub(command.text, HEADER_SIZE + 1))
     end
 
-    -- Returns the number of the command that a reply answers, and whether others may be it. A brick answers in order: it is the
-    -- oldest that the reply fits and that has not waited much longer than this brick takes; the oldest of all if it is
-    -- slow now; the newest if the reply fits none. Earlier commands are given up.
+    -- Returns the number of the command that a reply answers, and whether others may be it. A brick answers in
+    -- order: it is the oldest that the reply fits and that has not waited much longer than this brick takes; the
+    -- oldest of all if it is slow now; the newest if the reply fits none. Earlier commands are given up.
     local function answered(conversation, message, now)
         local key, fitting = pending_key(message), {}
         local commands, longest = conversation.waiting[key] or {}, conversation.longest

@@ -22,9 +22,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from cosmic_ray import plugins  # type: ignore[import-untyped]
-from cosmic_ray.ast import get_ast  # type: ignore[import-untyped]
-from cosmic_ray.mutating import mutate_code  # type: ignore[import-untyped]
+from cosmic_ray import plugins
+from cosmic_ray.ast import get_ast
+from cosmic_ray.mutating import mutate_code
 
 ROOT = Path(__file__).parents[1]
 _MOST_SECONDS = 900

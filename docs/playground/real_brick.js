@@ -10,6 +10,11 @@ const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor
   + " Chromebook have both, on pages with https or from localhost. Chromium as a snap cannot reach USB: install Chrome, or Chromium as a package.";
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
 const CAPTURE = "./conformance.pcapng";
+const LEAVING = 1000;
+
+// Another page may have the right to reach bricks given to it, and could lead clicks to this one.
+const IS_FRAMED = window.top !== window.self;
+const FRAMED = "This page is in a frame of another page, so it connects to no real brick and sends nothing to one. Open it in a tab of its own.";
 
 /** @typedef {import("./carriers.js").Wire} Wire */
 /** @typedef {import("./elements.js").Piece} Piece */
@@ -23,6 +28,7 @@ const CAPTURE = "./conformance.pcapng";
  * @property {Facts} [facts]
  * @property {{done: number, count: number}} [comparing]
  * @property {Comparison} [comparison]
+ * @property {boolean} [hasLeft]  nothing is open on the brick any more
  */
 /**
  * @typedef {object} Real
@@ -80,8 +86,8 @@ export const realBrick = (python) => {
 
   /** @param {typeof openUsb} open */
   const connect = async (open) => {
-    if (!navigator.hid && !navigator.serial) {
-      status(ELSEWHERE);
+    if (IS_FRAMED || (!navigator.hid && !navigator.serial)) {
+      status(IS_FRAMED ? FRAMED : ELSEWHERE);
       return;
     }
     change({ isConnecting: true });
@@ -106,7 +112,16 @@ export const realBrick = (python) => {
   };
   find("connect-usb").onclick = () => connect(openUsb);
   find("connect-bluetooth").onclick = () => connect(openBluetooth);
-  find("disconnect").onclick = async () => {
+  /** @type {() => void} */
+  let left = () => {};
+  /** @param {boolean} leaves  whether what was opened on the brick is closed first */
+  const disconnect = async (leaves) => {
+    if (leaves && await python().ask("leave")) {
+      await new Promise((resolve) => {
+        left = () => resolve(null);
+        setTimeout(left, LEAVING);
+      });
+    }
     const closing = wire;
     wire = null;
     // Who disconnects may want another one.
@@ -116,6 +131,7 @@ export const realBrick = (python) => {
     python().ask("gone", "you disconnected");
     await closing?.close();
   };
+  find("disconnect").onclick = () => disconnect(true);
 
   find("stop-motors").onclick = () => python().ask("stop_motors");
 
@@ -138,7 +154,7 @@ export const realBrick = (python) => {
   };
 
   /** @type {Real["take"]} */
-  const take = ({ answers, isWaiting, facts, comparing, comparison }) => {
+  const take = ({ answers, isWaiting, facts, comparing, comparison, hasLeft }) => {
     if (answers) {
       const lines = answers.flatMap((answer) => answer.map((pieces) => {
         const line = filled(make("span"), pieces);
@@ -153,6 +169,7 @@ export const realBrick = (python) => {
       find("comparison").textContent = `Comparing: ${comparing.done} of ${comparing.count} …`;
     }
     if (comparison) showComparison(comparison);
+    if (hasLeft) left();
   };
 
   /** @param {Facts} facts */
@@ -242,17 +259,17 @@ export const realBrick = (python) => {
 
   /** @type {Real["carry"]} */
   const carry = (hex) => {
-    if (!wire) return;
+    if (!wire || IS_FRAMED) return;
     python().ask("sent", performance.now());
     wire.send(Uint8Array.from(hex.match(/../g) ?? [], (each) => parseInt(each, 16)));
   };
 
   showState();
-  status(navigator.hid || navigator.serial ? NONE : ELSEWHERE);
+  status(IS_FRAMED ? FRAMED : navigator.hid || navigator.serial ? NONE : ELSEWHERE);
   return {
     take, takeVirtual, carry, send,
     forget: () => talks.clear(),
     /** The session is gone with its Python. */
-    drop: () => { if (wire) find("disconnect").click(); },
+    drop: () => { if (wire) disconnect(false); },
   };
 };

@@ -694,6 +694,42 @@ def test_a_known_brick_is_connected_without_asking(page: Page) -> None:
     assert page.fact("requests") == 0
 
 
+def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
+    # LIST_FILES of ../, a byte of it.
+    page.read("0A 00 2A 00 01 99 01 00 2E 2E 2F 00")
+    page.connect("usb")
+    page.click("send")
+    page.wait(lambda: "handle" in page.text("answer"))
+    page.click("disconnect")
+    page.wait(lambda: page.connection == "none")
+    # A listing is read to its end.
+    last = page.fact("sent")[-1]
+    assert last[10:14] == "9a00"
+
+
+def test_in_a_frame_of_another_page_no_brick_is_reached(page: Page) -> None:
+    page.browser.get(page.address.replace("playground/", ""))
+    page.run(
+        "const frame = document.createElement('iframe'); frame.id = 'framed'; frame.allow = 'hid; serial';"
+        " frame.src = arguments[0]; document.body.replaceChildren(frame)",
+        page.address,
+    )
+    page.browser.switch_to.frame("framed")
+    try:
+        page.wait(lambda: page.run("return !!document.getElementById('brick-status')?.textContent"), 60)
+        page.run("navigator.hid.permitted = [navigator.hid.device]")
+        assert "in a frame of another page" in page.text("brick-status")
+        for carrier in ("usb", "bluetooth"):
+            page.run("document.getElementById(arguments[0]).click()", f"connect-{carrier}")
+            page.wait(lambda: not page.run("return document.getElementById('connect-usb').disabled"))
+            assert "connects to no real brick" in page.text("brick-status")
+            assert page.connection == "none"
+        assert (page.fact("requests"), page.fact("sent")) == (0, [])
+    finally:
+        page.browser.switch_to.default_content()
+        page.open()
+
+
 @pytest.mark.parametrize("carrier", ["usb", "bluetooth"])
 def test_a_refused_or_busy_brick_is_a_sentence(page: Page, carrier: str) -> None:
     page.run("navigator.hid.permitted = []; navigator.serial.permitted = []")

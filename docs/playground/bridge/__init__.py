@@ -49,6 +49,7 @@ __all__ = [
     "frames_of",
     "gone",
     "heard",
+    "leave",
     "look",
     "made",
     "open_file",
@@ -242,6 +243,11 @@ def turn() -> None:
     """Lets time pass for the session."""
     if _real is not None and _real.is_open:
         _real.turn()
+
+
+def leave() -> str:
+    """Ends what is open on the brick. Returns whether anything is; the session tells when it is done."""
+    return json.dumps(_real is not None and _real.leave())
 
 
 def gone(reason: str) -> str:

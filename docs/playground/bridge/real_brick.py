@@ -363,6 +363,15 @@ class RealBrick:
         self._carry(frame.hex())
         self._show([command_spans(parse(frame)), [("sent; all motors stop", Role.ASIDE)]])
 
+    def leave(self) -> bool:
+        """Closes files, and reads listings to their end. Returns whether there are any."""
+        if not self.is_open or not self._policy.transfers:
+            return False
+        # Before all else.
+        self.converse(self._policy.leave(), lambda *_: self.tell(hasLeft=True), counter=-1)
+        self._advance()
+        return True
+
     # What is asked for every second
 
     def watch(self, is_wanted: bool) -> None:

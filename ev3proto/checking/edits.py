@@ -86,15 +86,8 @@ def left_over(frame: bytes, at: int) -> Edit:
 
 def header_edits(frame: bytes) -> Iterator[Edit]:
     """Yields the edits of a header, but for the length field's value and the sizes of memory."""
+    yield from _of_length(frame)
     size = len(frame)
-    if frame[0] in (size - 1, size + 1) and frame[1]:
-        yield Edit("length-half", 1, 1, b"\0")
-    if size > 9 and frame[6] in _COMMANDS:
-        yield Edit("header-long", TYPE_AT, 6, b"")
-        if not any(frame[2:4]):
-            yield Edit("header-long", 2, 4, b"", extra=-1.0)
-    if stated_size(frame[1:]) == size - 1:
-        yield Edit("report-number", 0, 1, b"")
     if frame[2] in _COMMANDS:
         length = size.to_bytes(LENGTH_FIELD, "little")
         yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if stated_size(frame) == size else 0.0)
@@ -108,6 +101,18 @@ def header_edits(frame: bytes) -> Iterator[Edit]:
                 yield Edit("doubled", at, at + 1, b"", (frame[at],), 0.5)
     if frame[TYPE_AT] in DIRECT:
         yield from _of_memory(frame)
+
+
+def _of_length(frame: bytes) -> Iterator[Edit]:
+    size = len(frame)
+    if frame[0] in (size - 1, size + 1) and frame[1]:
+        yield Edit("length-half", 1, 1, b"\0")
+    if size > 9 and frame[6] in _COMMANDS:
+        yield Edit("header-long", TYPE_AT, 6, b"")
+        if not any(frame[2:4]):
+            yield Edit("header-long", 2, 4, b"", extra=-1.0)
+    if stated_size(frame[1:]) == size - 1:
+        yield Edit("report-number", 0, 1, b"")
 
 
 def _of_type(frame: bytes) -> Iterator[Edit]:
@@ -184,14 +189,9 @@ def _numbers(place: _Place) -> Iterator[Edit]:
 
 def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
     """Yields numbers that may be meant by the bytes at a place: kind, number of bytes, number, further cost."""
+    yield from _raw(place)
     data, at, argument = place.code.data, place.at, place.argument
     first, after = data[at], data[at + 1 : at + 5]
-    is_argument = first < _SHORT or first in (*_WIDTHS, _LCS)
-    for width in (1,) if place.known.parameter.type is Type.DATA8 else (1, 2):
-        for is_signed in (False, True):
-            number = int.from_bytes(data[at : at + width], "little", signed=is_signed)
-            if len(encode_integer(number)) >= width and (number < 0) == is_signed:
-                yield "raw", width, number, 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * is_signed
     if first in _LABELS and argument is not None:
         number = int.from_bytes(after[: _LABELS[first]], "little") & (1 << 31) - 1
         yield "label", 1 + _LABELS[first], -number, 0.0
@@ -204,6 +204,16 @@ def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
             number = int(argument.value) - (1 << bits)
             if -(1 << bits - 1) <= number < 0:
                 yield "sign", 1 + width, number, 0.0
+
+
+def _raw(place: _Place) -> Iterator[tuple[str, int, int, float]]:
+    data, at = place.code.data, place.at
+    is_argument = data[at] < _SHORT or data[at] in (*_WIDTHS, _LCS)
+    for width in (1,) if place.known.parameter.type is Type.DATA8 else (1, 2):
+        for is_signed in (False, True):
+            number = int.from_bytes(data[at : at + width], "little", signed=is_signed)
+            if len(encode_integer(number)) >= width and (number < 0) == is_signed:
+                yield "raw", width, number, 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * is_signed
 
 
 def _width(place: _Place) -> Iterator[Edit]:
@@ -255,18 +265,22 @@ def _float(data: bytes) -> float:
     return float(struct.unpack("<f", data)[0]) if len(data) == 4 else 0.0
 
 
-def _variable(place: _Place) -> Iterator[Edit]:
-    """Yields the edits of what should be another variable."""
+def _aligned(place: _Place) -> Iterator[Edit]:
     code, at, argument, known = place.code, place.at, place.argument, place.known
+    if argument is None or not argument.is_variable or argument.form.width:
+        return
+    index, step = int(argument.value), max(known.validator_alignment, known.cpu_alignment)
+    below = index - index % step
+    for other in (below, below + step) if below != index else ():
+        new = bytes((code.data[at] - index + other,))
+        words = (*place.names, step, Variable(argument.form.kind, other), spaced(new))
+        yield Edit("aligned", at, place.end, new, words, 0.3 if other > index else 0.0)
+
+
+def _result(place: _Place) -> Iterator[Edit]:
+    """Yields the edits of a result that is stored in no variable, or in one that no reply carries."""
+    code, at, known = place.code, place.at, place.known
     first = code.data[at]
-    if argument is not None and argument.is_variable and not argument.form.width:
-        assert isinstance(argument.value, int)
-        step = max(known.validator_alignment, known.cpu_alignment)
-        over = argument.value % step
-        for index in (argument.value - over, argument.value - over + step) if over else ():
-            new = bytes((first - argument.value + index,))
-            moved = (*place.names, step, Variable(argument.form.kind, index), spaced(new))
-            yield Edit("aligned", at, place.end, new, moved, 0.3 if index > argument.value else 0.0)
     if not known.parameter.is_output:
         return
     wants_reply = code.memory.globals > 0 or code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY
@@ -294,26 +308,29 @@ def _lost(place: _Place) -> Iterator[Edit]:
         yield Edit("lost", at + behind, at + behind, b"\0", place.names, guess=1)
 
 
-_AT_ARGUMENT = (_numbers, _width, _text, _floats, _variable, _lost)
+_AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost)
 
 
 def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
     """Returns a value for a missing argument."""
-    parameter = known.parameter
+    parameter, domain = known.parameter, known.domain
     if parameter.is_output or parameter.role in (Role.FILE, Role.ARRAY):
-        scope, most, base = (
-            (GLOBAL, code.memory.globals, _GV0) if code.memory.globals else (LOCAL, code.memory.locals, _LV0)
-        )
-        end = max([int(one.value) + 4 for one in before if one.kind == scope], default=0)
-        index = end + -end % known.alignment
-        return bytes((base + (index if index < _SHORT and index + known.size <= most else 0),))
+        return _free_variable(known, code, before)
     if parameter.type is Type.STRING:
         return encode_string("x")
     if parameter.role is Role.MOTORS or parameter.counts:
         return b"\1"
-    low = known.domain.spans[0][0] if known.domain is not None and known.domain.spans else 0
-    domain = known.domain
+    low = domain.spans[0][0] if domain is not None and domain.spans else 0
     return encode_integer(next((one for one in (0, 1, low) if domain is None or domain.covers(one)), 0))
+
+
+def _free_variable(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
+    """Returns a variable after those of other arguments, or the first one if there is no room."""
+    shared, local, _ = code.memory
+    scope, most, base = (GLOBAL, shared, _GV0) if shared else (LOCAL, local, _LV0)
+    end = max([int(one.value) + 4 for one in before if one.kind == scope], default=0)
+    index = end + -end % known.alignment
+    return bytes((base + (index if index < _SHORT and index + known.size <= most else 0),))
 
 
 def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
@@ -326,12 +343,7 @@ def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
     if reading.schema is None:
         return
     facts, arguments = operation_facts(reading.schema), reading.arguments
-    if reading.is_fault and reading.end == size:
-        left = facts.parameters[len(arguments) :]
-        new = b"".join([_filler(known, code, arguments) for known in left])
-        if len(left) > 1:
-            words = (", ".join(known.parameter.name for known in left), facts.name)
-            yield Edit("cut", size, size, new, words, 0.5 * len(left), len(new))
+    yield from _cut(code, facts, reading)
     ends = [one.offset for one in arguments] + [reading.end]
     for number, at in enumerate(ends):
         argument = arguments[number] if number < len(arguments) else None
@@ -341,6 +353,14 @@ def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
         end = ends[number + 1] if argument is not None else min(at + 1, size)
         place = _Place(code, facts.name, known, at, end, argument, len(facts.parameters) - number - 1)
         yield from _of_place(place, arguments, number, ends)
+
+
+def _cut(code: Code, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
+    end, left = reading.end, facts.parameters[len(reading.arguments) :]
+    if reading.is_fault and end == len(code.data) and len(left) > 1:
+        new = b"".join([_filler(known, code, reading.arguments) for known in left])
+        words = (", ".join(known.parameter.name for known in left), facts.name)
+        yield Edit("cut", end, end, new, words, 0.5 * len(left), len(new))
 
 
 def _expected(facts: OperationFacts, number: int, argument: Argument | None) -> ParameterFacts | None:

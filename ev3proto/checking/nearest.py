@@ -64,10 +64,22 @@ _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 
 _WEIGHTS = {
     **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
-    **{"W": 5.0, "W201": 0.5, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0, "W804": 1.0, "W805": 2.0},
+    **{
+        "W": 5.0,
+        "W101": 0.0,
+        "W201": 0.5,
+        "W303": 3.0,
+        "W304": 3.0,
+        "W5": 2.0,
+        "W6": 2.0,
+        "W7": 1.0,
+        "W804": 1.0,
+        "W805": 2.0,
+    },
     **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.3},
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
+_NO_SLIPS = frozenset(code for code, weight in _WEIGHTS.items() if code[0] == "E" and weight <= 1)
 _REFUSED = 6.0
 
 
@@ -81,14 +93,12 @@ class _Candidate(NamedTuple):
     edits   what leads to it, one after the other, of one kind
     price   the cost of the edits
     read    the cost of what is read then
-    start   of the operation that is edited, 0 for others
     """
 
     edits: tuple[Edit, ...]
     price: float
     read: float
     frame: bytes
-    start: int = 0
 
 
 class _Judged(NamedTuple):
@@ -181,29 +191,21 @@ class _Search:
             right = sorted([*right, *self._repeated(found)], key=_by_cost)
         if not right or right[0].cost > rarity + doubt - _MARGIN or right[0].doubt > _MOST:
             return ()
-        said: list[_Judged] = []
-        for one in right:
-            is_new = all(_place(one) != _place(other) for other in said)
-            if one.cost <= right[0].cost + _TIE and is_new and len(said) < 2:
-                said.append(one)
-        is_clear = all(one.cost > said[0].cost + _CLEAR for one in right if one is not said[0])
-        return tuple(_suggestion(one, is_clear=is_clear) for one in said)
+        others = [one for one in right if one.cost <= right[0].cost + _TIE and _place(one) != _place(right[0])]
+        is_clear = all(one.cost > right[0].cost + _CLEAR for one in right[1:])
+        return tuple(_suggestion(one, is_clear=is_clear) for one in (right[0], *others[:1]))
 
     # Judging
 
     def _costs(self, frame: bytes, report: Report) -> tuple[float, float]:
         """Returns the costs of a frame: of its operations themselves, and the worse of its values and its findings."""
-        weight = 0.0 if report.accepted or _is_reply(frame) else _REFUSED
-        for code in [finding.code for finding in report.findings if finding.code != "W101"]:
-            own = next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
-            weight += own + (own if code == "H401" and read_memory(frame)[0] > 255 else 0.0)
-            if not report.accepted and own <= 1 and code[0] == "E":
-                weight -= _REFUSED
+        weight = sum([_weight(finding.code, frame) for finding in report.findings])
+        if not (report.accepted or _is_reply(frame) or any(one.code in _NO_SLIPS for one in report.errors)):
+            weight += _REFUSED
         if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
             return 0.0, weight
-        code_ = Code(frame, self._dialect)
-        rarity = code_.rarity
-        return rarity, max(weight, code_.rest() - rarity)
+        code = Code(frame, self._dialect)
+        return code.rarity, max(weight, code.rest() - code.rarity)
 
     def _check(self, frame: bytes) -> Report:
         self._unchecked -= len(frame)
@@ -339,11 +341,10 @@ class _Search:
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
 
     def _with_code(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
-        kind = before.edits[0].kind if before is not None else None
         code = Code(frame, self._dialect)
         for edit in whole_edits(code) if before is None else ():
             new, price = self._applied(frame, edit)
-            yield _Candidate((edit,), price, self._read(new), new, COMMAND_HEADER_SIZE)
+            yield _Candidate((edit,), price, self._read(new), new)
         costs = [reading.cost for _, reading in code.first]
         is_clean = max(costs, default=0.0) < _SUSPICIOUS
         for number in _suspicious(code, costs):
@@ -351,19 +352,28 @@ class _Search:
             for edit in operation_edits(code, start, reading):
                 if self._unread <= 0:
                     return
-                if kind is not None and edit.kind != kind:
+                if before is not None and edit.kind != before.edits[0].kind:
                     continue
                 self._unread -= reading.end - start + 4
                 cost = code.edited(start, edit.at, edit.end, edit.new, is_guess=edit.guess > 0)
-                if cost is None:
-                    continue
-                new, price = self._applied(frame, edit)
-                if is_clean and edit.guess:
-                    price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
-                if before is not None:
-                    price = before.price + _REPEATED
-                edits = (edit,) if before is None else (*before.edits, edit)
-                yield _Candidate(edits, price, sum(costs[:number]) + cost, new, start)
+                if cost is not None:
+                    yield self._with_edit(frame, edit, sum(costs[:number]) + cost, before, is_clean=is_clean)
+
+    def _with_edit(
+        self, frame: bytes, edit: Edit, read: float, before: _Candidate | None, *, is_clean: bool
+    ) -> _Candidate:
+        new, price = self._applied(frame, edit)
+        if before is not None:
+            return _Candidate((*before.edits, edit), before.price + _REPEATED, read, new)
+        if is_clean and edit.guess:
+            price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
+        return _Candidate((edit,), price, read, new)
+
+
+def _weight(code: str, frame: bytes) -> float:
+    """Returns the cost of a finding."""
+    weight = next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
+    return 2 * weight if code == "H401" and read_memory(frame)[0] > 255 else weight
 
 
 def _is_reply(frame: bytes) -> bool:

@@ -18,7 +18,7 @@ from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.semantics.flow import is_label
 from ev3proto.tables import AREAS
-from ev3proto.tables.declaration import Direction, Effect, Role, Type
+from ev3proto.tables.declaration import Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
 
 FAULT = 12.0
@@ -81,15 +81,19 @@ def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float
     parameter, value = known.parameter, argument.value
     if argument.form.handle or argument.form.address:
         return 6.0
-    if parameter.direction is not Direction.IN or (known.is_text and parameter.length is None):
+    if parameter.is_output or (known.is_text and parameter.length is None):
         return _WRONG_KIND
     if isinstance(value, float):
         return 0.0 if value == 0 or (math.isfinite(value) and 1e-5 < abs(value) < 1e9) else 5.0
     assert isinstance(value, int)
     if parameter.type is Type.DATAF:
         return 6.0 if value and parameter.length is None else 0.0
-    cost = 2.0 if parameter.role is Role.LAYER and value else 0.0
-    cost += _LONGER if argument.form.width and len(encode_integer(value)) <= argument.form.width else 0.0
+    return _of_number(known, value, argument.form.width or 0)
+
+
+def _of_number(known: ParameterFacts, value: int, width: int) -> float:
+    cost = 2.0 if known.parameter.role is Role.LAYER and value else 0.0
+    cost += _LONGER if width and len(encode_integer(value)) <= width else 0.0
     return cost if value in known.legal else cost + _beyond(known, value)
 
 

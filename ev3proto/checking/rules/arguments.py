@@ -39,23 +39,31 @@ def value_finding(
     """Returns what is wrong with a constant outside `known.legal`."""
     is_first = not number and not operation.facts.has_cmd
     parameter, form, value = argument.parameter, argument.form, argument.value
-    kind, type_ = form.kind, parameter.type
-    is_number = parameter.direction is Direction.IN and type_ in _WHOLE and parameter.length is None
-    if kind == JUMP and is_number and parameter.role is not Role.JUMP:
+    is_input = parameter.direction is Direction.IN
+    is_number = is_input and parameter.type in _WHOLE and parameter.length is None
+    if form.kind == JUMP and is_number and parameter.role is not Role.JUMP:
         return _label_for_number(operation, argument)
-    if (form.handle or form.address) and not (kind == TEXT and is_number):
+    if (form.handle or form.address) and not (form.kind == TEXT and is_number):
         # Only the brick knows the value there. Its validator takes the handle or address itself as the value.
         return _refused(operation, argument, value, known) if is_first and isinstance(value, int) else None
-    if parameter.direction is not Direction.IN:
+    if not is_input:
         return _constant_output(operation, argument)
-    if kind == TEXT:
-        is_text = type_ is Type.STRING or parameter.length is not None or type_ is Type.ARRAY_TYPED
+    if form.kind == TEXT:
+        is_text = parameter.type in (Type.STRING, Type.ARRAY_TYPED) or parameter.length is not None
         return None if is_text else _text_for_number(operation, argument)
+    return _of_number(operation, argument, known, is_first=is_first)
+
+
+def _of_number(
+    operation: CheckedOperation, argument: Argument, known: ParameterFacts, *, is_first: bool
+) -> Finding | None:
+    """Returns what is wrong with a number, whatever belongs there."""
+    parameter, value = argument.parameter, argument.value
     if isinstance(value, float):
         return _not_a_number(operation, argument) if math.isnan(value) else None
-    if type_ is Type.STRING:
+    if parameter.type is Type.STRING:
         return _number_for_text(operation, argument)
-    if type_ is Type.DATAF:
+    if parameter.type is Type.DATAF:
         return _integer_for_float(operation, argument) if value and parameter.length is None else None
     assert isinstance(value, int)
     return _number(operation, argument, value, known, is_first=is_first)

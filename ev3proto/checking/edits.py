@@ -21,6 +21,7 @@ from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
+from ev3proto.tables.validation import LABELS
 
 TYPE_AT = HEADER_SIZE - 1
 DIRECT, SYSTEM = (frozenset(map(int, TYPES_BY_KIND[f"{kind}-command"])) for kind in ("direct", "system"))
@@ -194,8 +195,10 @@ def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
     first, after = data[at], data[at + 1 : at + 5]
     if first in _LABELS and argument is not None:
         number = int.from_bytes(after[: _LABELS[first]], "little") & (1 << 31) - 1
-        yield "label", 1 + _LABELS[first], -number, 0.0
-        yield "label", 1 + _LABELS[first], number, 0.5
+        # Other numbers than those of labels are what they are to the brick, too.
+        is_label = number < LABELS
+        yield "label", 1 + _LABELS[first], -number, 0.0 if is_label else 0.5
+        yield "label", 1 + _LABELS[first], number, 0.5 if is_label else 0.0
     width = _WIDTHS.get(first, 0)
     if width > 1:
         yield "swapped", 1 + width, int.from_bytes(after[:width], "big", signed=True), 0.0

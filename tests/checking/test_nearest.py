@@ -66,6 +66,11 @@ def test_two_that_are_equally_likely_are_both_said() -> None:
     assert not any(one.is_sure for one in found)
 
 
+def test_labels_end_at_31_so_a_larger_number_is_rather_itself() -> None:
+    assert [one.frame[10:12].hex() for one in code("A5 00 01 A1 32 A6 00 01")] == ["8132", "81ce"]
+    assert [one.frame[10:11].hex() for one in code("A5 00 01 A1 14 A6 00 01")] == ["2c", "14"]
+
+
 def test_a_habit_is_said_once() -> None:
     (one,) = code("94 01 02 82 03 E8 82 01 F4 96 94 01 02 82 02 0B 82 01 F4")
     assert one.frame[7:] == bytes.fromhex("94 01 02 82 E8 03 82 F4 01 96 94 01 02 82 0B 02 82 F4 01")

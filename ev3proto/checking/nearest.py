@@ -64,18 +64,8 @@ _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 
 _WEIGHTS = {
     **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
-    **{
-        "W": 5.0,
-        "W101": 0.0,
-        "W201": 0.5,
-        "W303": 3.0,
-        "W304": 3.0,
-        "W5": 2.0,
-        "W6": 2.0,
-        "W7": 1.0,
-        "W804": 1.0,
-        "W805": 2.0,
-    },
+    **{"W": 5.0, "W101": 0.0, "W201": 0.5, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0},
+    **{"W804": 1.0, "W805": 2.0, "W806": 1.0},
     **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.3},
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
@@ -182,11 +172,12 @@ class _Search:
     def suggestions(self) -> tuple[Suggestion, ...]:
         """Returns the best candidates, if they are better than silence."""
         rarity, doubt = self._costs(self._frame, self._report)
+        is_good_reply = _is_reply(self._frame) and not doubt
         if _is_reply(self._frame):
             # Any bytes are a reply, but only few are a command but for its type or its counter.
             doubt += min(len(self._frame) - HEADER_SIZE, _MOST_OF_REPLY)
         found = self._best(self._frame)
-        right = [one for one in found if one.is_right]
+        right = [one for one in found if one.is_right and not (is_good_reply and _is_reply(one.candidate.frame))]
         if doubt >= FAULT and (not right or right[0].doubt > _MOST_OF_FIRST):
             right = sorted([*right, *self._repeated(found)], key=_by_cost)
         if not right or right[0].cost > rarity + doubt - _MARGIN or right[0].doubt > _MOST:

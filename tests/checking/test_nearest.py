@@ -88,6 +88,22 @@ def test_the_size_of_a_file_with_its_bytes_swapped() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0b00 2a00 02 0000c040 0000803f",
+        "1300 2a00 02 00000000 00000000 00000000 00000000",
+        "0b00 2a00 02 01010000 00000000",
+    ],
+)
+def test_a_right_reply_was_meant(text: str) -> None:
+    assert nearest(text) == ()
+
+
+def test_a_number_of_another_type_is_not_a_missing_field() -> None:
+    assert nearest("0f00 0100 81 9e 04 61626300 0400 05000000") == ()
+
+
 def test_a_command_that_seems_to_be_a_reply() -> None:
     """Without its counter, the third byte of the mailbox's command is that of a reply's type."""
     (one,) = nearest("0A00 81 9E 04 61626300 0100 01")

@@ -227,7 +227,7 @@ def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted
     return iter([Pasted(data, 1, "")]) if is_frame else None
 
 
-def _cut(data: bytes, ends: Iterator[int]) -> Iterator[Pasted]:
+def _cut(data: bytes, ends: list[int]) -> Iterator[Pasted]:
     start = 0
     for number, end in enumerate(ends, 1):
         yield Pasted(data[start:end], number, "")

@@ -8,12 +8,10 @@ from typing import NamedTuple
 
 from ev3proto.messages import Message
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, frame_size, may_have_length
+from ev3proto.schema.frame_buffer import FrameBuffer
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.mangled import mangled
-from ev3proto.tables.frame import LENGTH_FIELD, REPORT_SIZES, MessageType
-
-_TYPES = frozenset(map(int, MessageType))
-_REPLIES = frozenset(int(member) for member in MessageType if not member.is_command)
+from ev3proto.tables.frame import MESSAGE_TYPES, REPLY_TYPES, REPORT_SIZES
 
 
 class Piece(NamedTuple):
@@ -40,22 +38,20 @@ def _is_left_over(data: bytes, ends: list[int]) -> bool:
     if not any(data[ends[-1] :]) or len(data) in REPORT_SIZES:
         return True
     start = ends[-2] if len(ends) > 1 else 0
-    return data[start + HEADER_SIZE - 1] in _REPLIES and mangled(data[start:]) is None
+    return data[start + HEADER_SIZE - 1] in REPLY_TYPES and mangled(data[start:]) is None
 
 
-def frame_ends(data: bytes) -> Iterator[int] | None:
+def frame_ends(data: bytes) -> list[int] | None:
     """Returns where the frames end of which data consists; None if it is one frame, or anything else is in it."""
-    return _ends(data) if next(_ends(data), 0) < max(_ends(data), default=0) == len(data) else None
+    ends = list(_ends(data))
+    return ends if len(ends) > 1 and ends[-1] == len(data) else None
 
 
 def _ends(data: bytes) -> Iterator[int]:
     """Yields where the frames end when each starts where the one before ended."""
-    at = 0
-    while at + LENGTH_FIELD <= len(data):
-        is_frame = may_have_length(data, at)
-        at += frame_size(data, at)
-        if not is_frame or at > len(data):
+    buffer, at = FrameBuffer(data), 0
+    while isinstance(end := buffer.look(at), int) and end <= len(data):
+        yield end
+        if len(data) >= end + HEADER_SIZE and data[end + HEADER_SIZE - 1] not in MESSAGE_TYPES:
             return
-        yield at
-        if at + HEADER_SIZE <= len(data) and data[at + HEADER_SIZE - 1] not in _TYPES:
-            return
+        at = end

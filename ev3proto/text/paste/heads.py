@@ -11,7 +11,7 @@ from functools import cache
 from typing import NamedTuple
 
 from ev3proto.schema.header import HEADER_SIZE
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import COMMAND_TYPES, MESSAGE_TYPES
 from ev3proto.text.paste.pieces import Direction
 
 CLOCK = r"(?:[01]?\d|2[0-3]):[0-5]\d:[0-6]\d(?:[.,]\d{1,9})?(?:Z|\s?[+-]\d\d:?\d\d)?"
@@ -41,8 +41,6 @@ _MOST_HEAD = 200
 """Characters of a line without bytes that speaks of the next lines."""
 _MOST_DATE = 16
 """Columns of a date in front of a time, in any format."""
-_COMMANDS = frozenset(int(member) for member in MessageType if member.is_command)
-_REPLIES = frozenset(map(int, MessageType)) - _COMMANDS
 
 
 class _Patterns(NamedTuple):
@@ -124,6 +122,6 @@ def direction_of(data: bytes, head: Head) -> Direction | None:
     if head.direction is not None or not head.arrow:
         return head.direction
     code = data[HEADER_SIZE - 1] if len(data) >= HEADER_SIZE else -1
-    if code in _COMMANDS or code in _REPLIES:
-        return "sent" if code in _COMMANDS else "received"
+    if code in MESSAGE_TYPES:
+        return "sent" if code in COMMAND_TYPES else "received"
     return "sent" if ">" in head.arrow else "received"

@@ -387,6 +387,18 @@ def test_lines_are_read_as_they_come(line: str) -> None:
     assert len(given_out) == AT_ONCE[line]
 
 
+def test_a_dump_is_shown_with_its_last_row() -> None:
+    given_out: list[int] = []
+
+    def lines() -> Iterator[str]:
+        for number, line in enumerate((TONE[:8].hex(" "), TONE[8:].hex(" "), "and later", "more")):
+            given_out.append(number)
+            yield f"{line}\n"
+
+    assert next(read_text(lines())).data == TONE
+    assert given_out == [0, 1]
+
+
 @pytest.mark.parametrize(
     ("line", "data"),
     [

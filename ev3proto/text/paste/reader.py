@@ -62,6 +62,19 @@ class Block:
         self.rows, self.places, self.above = [row], places, above
         self.size, self.empty, self.in_comment = 0, 0, _is_open_comment(row.line)
         self.data = bytearray(_data_of(row, row, places[0]))
+        self.shown = 0  # rows of a frame that was complete before the next line came
+        self._was_full = False
+
+    def values_of(self, row: Row) -> list[Token]:
+        """Returns the values of a row that may be bytes; the last row of a dump has only its offset."""
+        place = self.places[0]
+        return row.tokens[place if self.is_dump else row.first(self.rows[0], place) or 0 :]
+
+    def is_full(self) -> bool:
+        """Returns whether the last row completed a frame, once."""
+        is_full = has_head(self.data) and frame_size(self.data) <= len(self.data) and not self.rows[-1].is_open
+        was_full, self._was_full = self._was_full, self._was_full or is_full
+        return is_full and not was_full
 
     @property
     def is_dump(self) -> bool:
@@ -167,6 +180,7 @@ class Reader:
                 yield from self._left_out(number)
                 return
             if self._block.take(line, number):
+                yield from self._show(self._block)
                 return
             yield from self._close()
         is_again = _AGAIN.match(line) is not None and (self._has_frame or line.lstrip()[:1] == "+")
@@ -206,12 +220,19 @@ class Reader:
         problem = f"line {number}: the dump leaves lines out here, as the * tells; hexdump -v and od -v show all"
         yield Pasted(data, first.number, short(first.line, MAX_TEXT), problem=problem)
 
+    def _show(self, block: Block) -> Iterator[Pasted]:
+        """Yields the frame in the rows so far, as soon as it is complete."""
+        reading = best(of_rows(block.rows, block.places)) if block.is_full() else None
+        if reading is not None and reading.worth.is_whole and _is_sound(reading):
+            block.shown = len(block.rows)
+            yield from self._emit(block.rows, reading, None, block.above)
+
     def _close(self) -> Iterator[Pasted]:
-        """Yields what the lines of the block have."""
+        """Yields what the lines of the block have that was not shown yet."""
         block, self._block = self._block, None
-        if block is None:
+        if block is None or block.shown == len(block.rows):
             return
-        rows, above = block.rows, block.above
+        rows, above = block.rows[block.shown :], block.above
         if block.size > MAX_COLLECTED and _is_long(block):
             problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
             yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)
@@ -224,6 +245,11 @@ class Reader:
             if reading is not None or one is not None:
                 yield from self._emit(rows, reading, one, above)
                 return
+        if block.shown:
+            tokens = [token for row in rows for token in block.values_of(row)]
+            if any(token.text.strip("0x") for token in tokens):
+                yield _follows(tokens)
+            return
         for row in rows:
             yield from self._line(row, best(of_line(row)), above)
 
@@ -307,6 +333,11 @@ def _is_done(reading: Reading | None, row: Row) -> bool:
         return False
     if len(row.tokens) < LEAST or not row.is_bare:
         return True
+    return _is_sound(reading)
+
+
+def _is_sound(reading: Reading) -> bool:
+    """Returns whether the last frame of a reading is not one that lacks bytes, whatever its length says."""
     part = reading.parts[-1]
     fault = parse(part.data[part.frames[-1].start : part.frames[-1].end], strict=False).fault
     return fault is None or not fault.truncated
@@ -354,11 +385,12 @@ def _rest(values: Values, part: Part, end: int) -> Pasted | None:
     tokens = values.tokens[part.first + bisect_left(part.offsets, end) : part.last]
     if end not in values.row_offsets(part) or not any(part.data[end:]):
         return None
-    return _follows(tokens, len(part.data) - end)
+    return _follows(tokens)
 
 
-def _follows(tokens: Sequence[Token], count: int) -> Pasted:
+def _follows(tokens: Sequence[Token]) -> Pasted:
     """Returns what is said of bytes below a frame."""
+    count = sum(len(token.text.removeprefix("0x")) // 2 or 1 for token in tokens)
     follow = "1 byte follows" if count == 1 else f"{count} bytes follow"
     shown = " ".join(token.text for token in tokens[:_MOST_SHOWN])
     problem = f"{follow} the frame that ends in line {tokens[0].line - 1}: {short(shown)}"
@@ -382,7 +414,7 @@ def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     is_zero = not "".join(token.text for token in tokens).strip("0x, ")
     if is_zero or any(token.text.isupper() and len(token.text) > 4 for token in tokens):
         return None
-    return _follows(tokens, sum(len(token.text) // 2 or 1 for token in tokens))
+    return _follows(tokens)
 
 
 _INTRODUCED = re.compile(r"[\"'`(<=\[]\s*$|[^\W\d]:?\s+$")

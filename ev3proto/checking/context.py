@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ev3proto.checking.codes import Code
 from ev3proto.checking.report import Finding
@@ -73,20 +73,16 @@ class CheckContext:
     carrier: str | None  # the carrier, None for any
     is_alone: bool = False  # whether no other command belongs to it
 
-    @property
-    def fault(self) -> Fault | None:
-        """The part of the message that cannot be read.
+    # maximum length of this frame, in bytes: downloads may be longer, except on USB
+    most: int = field(init=False)
+    # the part of the message that cannot be read; None also if the frame is too long, or an OBJECT_END comes first:
+    # then only that is reported
+    fault: Fault | None = field(init=False)
 
-        None also if the frame is too long, or an OBJECT_END comes first: then only that is reported.
-        """
-        if self.end > self.most or (self.operations and self.operations[-1].facts.ends_code):
-            return None
-        return self.message.flaw.fault
-
-    @property
-    def most(self) -> int:
-        """Maximum length of this frame, in bytes: downloads may be longer, except on USB."""
-        return MAX_LONG_FRAME if self.carrier != "usb" and may_be_long(self.frame) else MAX_FRAME
+    def __post_init__(self) -> None:
+        self.most = MAX_LONG_FRAME if self.carrier != "usb" and may_be_long(self.frame) else MAX_FRAME
+        is_over = self.end > self.most or (self.operations and self.operations[-1].facts.ends_code)
+        self.fault = None if is_over else self.message.flaw.fault
 
     @property
     def is_whole(self) -> bool:

@@ -132,3 +132,22 @@ def test_effects_are_decisions() -> None:
     lines = [f"{name}: {', '.join(effect.name for effect in effects) or '-'}" for name, effects in entries]
     decided = Path(__file__).with_name("effects.txt").read_text().splitlines()
     assert [line for line in decided if line not in lines] == []
+
+
+def limits_of_parameter(entry: Declaration, parameter: Parameter) -> str:
+    """What a parameter accepts, in one line."""
+    facts = [f"{entry.name}.{parameter.name}", parameter.direction.value, parameter.label]
+    facts += [] if parameter.range is None else ["{}..{}".format(*parameter.range)]
+    facts += [f"{number}" for number in parameter.special]
+    facts += [] if parameter.enum is None else [parameter.enum.name]
+    facts += [f"{name}={value}" for name, value in (("length", parameter.length), ("most", parameter.most)) if value]
+    return " ".join([*facts, *(["unsigned"] * parameter.unsigned)])
+
+
+def test_limits_are_decisions() -> None:
+    """What the parameters of today accept is in the file, so that no number changes by mistake."""
+    entries = declarations(OPCODES)
+    lines = {limits_of_parameter(entry, parameter) for entry in entries for parameter in entry.parameters}
+    decided = Path(__file__).with_name("limits.txt").read_text().splitlines()
+    assert len(decided) > 1000
+    assert [line for line in decided if line not in lines] == []

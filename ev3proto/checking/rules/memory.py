@@ -87,7 +87,8 @@ def _places(used: list[Use], asked: int) -> Iterator[Finding]:
             if found is None:
                 found = said[key] = list(_wrongly_placed(use, asked))
             for finding in found:
-                yield replace(finding, offset=place.argument.offset)
+                at = place.argument.offset
+                yield finding if finding.offset == at else replace(finding, offset=at)
 
 
 def _furthest(place: Footprint) -> int:

@@ -304,7 +304,11 @@ class Cutter:
         self._in_step = False
         self._reason = _BETWEEN
         front = self._buffer.look(at)
-        return front.reason if isinstance(front, OutOfStep) else _BETWEEN
+        if not isinstance(front, OutOfStep):
+            return _BETWEEN
+        from ev3proto.text.paste.strangers import text_advice  # takes 14 ms, which right streams do not need
+
+        return text_advice(self._buffer[at:MAX_FRAME]) or front.reason
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """Returns the piece at an offset, and its end, which is after the buffer's end if more bytes are needed."""

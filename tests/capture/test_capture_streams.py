@@ -517,6 +517,16 @@ def test_garbage_between_frames_is_skipped_and_told() -> None:
     assert complaints(events) == [(garbage, 0, 2, sentence)]
 
 
+def test_text_in_place_of_a_frame_is_told() -> None:
+    events, _ = of(connected(UNLOCK, b"forward\r\n"))
+    ((data, _, _, reason),) = complaints(events)
+    assert data == b"forward\r\n"
+    assert reason == (
+        "this is the text 'forward', not a frame; a Messaging block needs WRITEMAILBOX: for its mailbox 'abc', send"
+        " 13 00 00 00 81 9E 04 61 62 63 00 08 00 66 6F 72 77 61 72 64 00"
+    )
+
+
 def test_a_stream_of_nothing_but_garbage() -> None:
     rng = random.Random(1)
     pieces = [rng.randbytes(1000) for _ in range(200)]

@@ -46,6 +46,10 @@ def test_a_wrong_frame_is_never_a_strangers(form: str, slip: str, contents: str,
 
 
 STRANGERS = {
+    "DEBUG:nxt.backend.bluetooth:send: 0200019b": "NXT (GETDEVICEINFO)",
+    "02 00 00 0b": "NXT (GETBATTERYLEVEL)",
+    r"b'\x02\x00\x01\x9b'": "NXT (GETDEVICEINFO)",
+    r"Sent b'\x02\x00\x80\r'": "NXT (KEEPALIVE)",
     "06 00 00 03 0b 02 f4 01": "NXT (PLAYTONE)",
     "06 00 80 03 b8 01 e8 03": "NXT (PLAYTONE)",
     "80 04 00 64 07 00 00 20 00 00 00 00": "NXT (SETOUTPUTSTATE)",

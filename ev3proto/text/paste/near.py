@@ -294,8 +294,8 @@ def told(row: Row) -> str | None:
     # Operations by their names are assembly, if they are not joined.
     is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
     is_address = _ADDRESS.match(row.line, first.start) is not None
-    is_dull = len(values.tokens) > 1 and len({*data}) < LEAST - 1
-    if first.kind == "string" or is_assembly:
+    is_dull = first.kind == "string" or (len(values.tokens) > 1 and len({*data}) < LEAST - 1)
+    if is_assembly:
         return None
     return strange_bytes(data) or (None if _is_digest(part, data) or is_address or is_dull else bare_reason(data))
 

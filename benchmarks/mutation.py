@@ -37,22 +37,25 @@ class Part(NamedTuple):
     tests: tuple[str, ...]
 
 
-_BOUNDARIES = ("tests/schema/test_frame_buffer.py", "tests/schema/test_boundaries.py")
+_SIDE_BY_SIDE = ("tests/schema/test_frame_buffer.py", "tests/schema/test_boundaries.py")
+_SCHEMA = ("test_schema", "test_byte_code", "test_system_frames", "test_discovery", "test_stream")
+_CHECKING = ("test_checking", "test_advice", "test_verdict", "test_alone", "test_nearest", "test_fixing")
 
 PARTS = {
-    "schema": Part(("ev3proto/schema/*.py",), (*_BOUNDARIES, "tests/schema", "tests/compose/test_names.py")),
+    "schema": Part(
+        ("ev3proto/schema/*.py",),
+        (*_SIDE_BY_SIDE, *(f"tests/schema/{name}.py" for name in _SCHEMA), "tests/compose/test_names.py"),
+    ),
     "semantics": Part(
         ("ev3proto/semantics/*.py", "ev3proto/semantics/drafts/*.py"),
-        (_BOUNDARIES[1], "tests/semantics", "tests/compose", "tests/checking/test_checking.py", "tests/checking"),
+        (_SIDE_BY_SIDE[1], "tests/semantics", "tests/compose", "tests/checking/test_checking.py"),
     ),
     "checking": Part(
         ("ev3proto/checking/*.py", "ev3proto/checking/rules/*.py"),
-        (_BOUNDARIES[1], "tests/checking/test_checking.py", "tests/checking"),
+        (_SIDE_BY_SIDE[1], *(f"tests/checking/{name}.py" for name in _CHECKING)),
     ),
-    "framing": Part(
-        ("ev3proto/capture/framing.py",), (_BOUNDARIES[0], "tests/capture/test_capture_streams.py", "tests/capture")
-    ),
-    "session": Part(("ev3proto/link/session.py",), (_BOUNDARIES[0], "tests/link/test_link_session.py", "tests/link")),
+    "framing": Part(("ev3proto/capture/framing.py",), (_SIDE_BY_SIDE[0], "tests/capture/test_capture_streams.py")),
+    "session": Part(("ev3proto/link/session.py",), ("tests/link/test_link_session.py",)),
 }
 
 

@@ -12,6 +12,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
+from ev3proto.checking import codes
 from ev3proto.checking.checking import check
 from ev3proto.checking.edits import (
     DIRECT,
@@ -204,7 +205,10 @@ class _Search:
 
     def _judged(self, candidate: _Candidate) -> _Judged:
         report = self._check(candidate.frame)
-        if report.errors and {finding.code for finding in report.errors} <= {"E401", "E402"}:
+        if report.errors and {finding.code for finding in report.errors} <= {
+            codes.BEYOND_LOCALS.code,
+            codes.BEYOND_GLOBALS.code,
+        }:
             fitted = _with_memory(candidate.frame, self._dialect)
             if fitted != candidate.frame:
                 price = candidate.price + SLIPS["memory-size"].cost

@@ -397,3 +397,11 @@ def parse(
     if expect is not Message and not isinstance(message, expect):
         raise DecodeError(HEADER_SIZE - 1, f"expected a {expect.__name__}, but this is a {type(message).__name__}")
     return message
+
+
+def is_flawless(frame: bytes) -> bool:
+    """Returns whether a brick could read all of a frame, and knows its command."""
+    message = parse(frame, strict=False)
+    if message.fault is not None:
+        return False
+    return not isinstance(message, SystemCommand | SystemReply) or message.command is not None

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
 from ev3proto.tables.frame import COMMAND_TYPES, MESSAGE_TYPES
 
@@ -66,10 +65,7 @@ def _is_flawless(frame: bytes) -> bool:
     """Returns whether bytes are a frame that a brick can read, or a reply of the right length."""
     if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[_TYPE_AT] not in MESSAGE_TYPES:
         return False
-    message = parse(frame, strict=False)
-    if message.fault is not None:
-        return False
-    return not isinstance(message, SystemCommand | SystemReply) or message.command is not None
+    return is_flawless(frame)
 
 
 def _may_be(frame: bytes) -> bool:

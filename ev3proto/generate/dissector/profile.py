@@ -10,7 +10,7 @@ import hashlib
 from typing import NamedTuple
 
 from ev3proto.tables import AREAS
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import TYPES_BY_KIND, MessageType
 
 NAME = "EV3"
 
@@ -37,7 +37,7 @@ COLUMNS = (
 )
 
 
-_DIRECT_COMMANDS = ", ".join(f"{member:d}" for member in MessageType if member.kind == "direct-command")
+_DIRECT_COMMANDS = ", ".join(f"{member:d}" for member in TYPES_BY_KIND["direct-command"])
 
 
 class Rule(NamedTuple):

@@ -22,7 +22,7 @@ from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.daisy import DaisyCommand
 from ev3proto.tables.declaration import Direction, Type
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import TYPES_BY_KIND
 from ev3proto.tables.mailboxes import LOGIC_MESSAGE, NUMBER_MESSAGE, TEXT_MESSAGE
 from ev3proto.tables.system import SYSTEM, SystemStatus
 
@@ -111,7 +111,7 @@ def _guesses() -> Schema:
 
 
 def _message(kind: str, contents: Schema) -> Schema:
-    types = [member.name for member in MessageType if member.kind == kind]
+    types = [member.name for member in TYPES_BY_KIND[kind]]
     properties: Schema = {
         "kind": {"const": kind},
         "type": {"enum": types},

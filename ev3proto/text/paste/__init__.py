@@ -19,7 +19,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
-from ev3proto.text.paste.frames import bare_reason, is_flawless, with_header, without_length
+from ev3proto.schema.frame import is_flawless
+from ev3proto.text.paste.frames import bare_reason, with_header, without_length
 from ev3proto.text.paste.near import as_given, bytes_in
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader

@@ -14,9 +14,10 @@ from functools import cached_property, lru_cache, partial
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
+from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import with_length
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import Edges, Frame, frames_in, is_command, is_flawless, is_sure
+from ev3proto.text.paste.frames import Edges, Frame, frames_in, is_command, is_sure
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
 

@@ -20,6 +20,7 @@ from ev3proto.generate.dissector.install import (
     install_dissector,
     install_launcher,
     install_profile,
+    reason_to_keep,
     uninstall,
 )
 
@@ -117,7 +118,7 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     plugin = folders.plugins / FILE_NAME
     for path, outcome in install_dissector(folders.plugins, force=force):
         if outcome is InstallResult.KEPT:
-            raise InstallError(f"{path} belongs to another program; move it away, or overwrite it with --force")
+            raise InstallError(f"{path} {reason_to_keep(path)}; move it away, or overwrite it with --force")
         say(f"{path}: {outcome.value}")
     outcomes = [install_launcher(folders.extcap, force=force)] if folders.extcap else []
     if with_profile:

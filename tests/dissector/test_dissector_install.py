@@ -24,7 +24,7 @@ from support.packets import RAW_IP, Capture, Connection
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.cli.dissector import dissector
-from ev3proto.generate.dissector import install, profile
+from ev3proto.generate.dissector import build, install, profile
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -153,8 +153,22 @@ def test_an_older_one_is_replaced(tmp_path: Path) -> None:
     plugin = tmp_path / "ev3.lua"
     run("--dir", str(tmp_path))
     assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: there already, the same\n")
-    plugin.write_text(DISSECTOR.read_text().replace("SOUND", "NOISE"))
+    plugin.write_text(build._signed("-- This file is made by ev3proto 0.0.1\n"))
     assert run("--dir", str(tmp_path)).stdout.startswith(f"{plugin}: written in place of an older one\n")
+    assert plugin.read_bytes() == DISSECTOR.read_bytes()
+
+
+@pytest.mark.parametrize("change", [lambda text: text.replace("SOUND", "NOISE"), lambda text: text + "-- mine\n"])
+def test_a_changed_one_stays(tmp_path: Path, change: Callable[[str], str]) -> None:
+    plugin = tmp_path / "ev3.lua"
+    changed = change(DISSECTOR.read_text())
+    plugin.write_text(changed)
+    done = run("--dir", str(tmp_path))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"{plugin} was changed; move it away, or overwrite it with --force\n"
+    assert plugin.read_text() == changed
+    done = run("--dir", str(tmp_path), "--force")
+    assert done.stdout.startswith(f"{plugin}: written in place of another one\n")
     assert plugin.read_bytes() == DISSECTOR.read_bytes()
 
 
@@ -173,11 +187,12 @@ def test_another_program_keeps_its_file(tmp_path: Path) -> None:
 
 def test_what_a_link_points_to_stays(tmp_path: Path) -> None:
     elsewhere, plugin = tmp_path / "mine.lua", tmp_path / "plugins" / "ev3.lua"
-    elsewhere.write_text(DISSECTOR.read_text() + "-- mine\n")
+    older = build._signed("-- This file is made by ev3proto 0.0.1\n")
+    elsewhere.write_text(older)
     plugin.parent.mkdir()
     plugin.symlink_to(elsewhere)
     assert run("--dir", str(plugin.parent)).returncode == 0
-    assert elsewhere.read_text() == DISSECTOR.read_text() + "-- mine\n"
+    assert elsewhere.read_text() == older
     assert not plugin.is_symlink()
 
 
@@ -191,10 +206,11 @@ def test_a_folder_of_ones_own_needs_no_tshark(tmp_path: Path) -> None:
         f"{folder / 'profiles' / 'EV3' / 'preferences'}: written",
         f"{folder / 'profiles' / 'EV3' / 'colorfilters'}: written",
         f"{folder / 'profiles' / 'EV3' / 'dfilter_buttons'}: written",
+        f"{folder / 'profiles' / 'EV3' / 'recent'}: written",
         RELOAD,
         "The profile belongs in the folder profiles of the personal configuration: Help, About, Folders.",
     ]
-    assert len(tree(tmp_path)) == 5
+    assert len(tree(tmp_path)) == 6
 
 
 def test_a_folder_and_a_tshark(home: Home, tmp_path: Path) -> None:
@@ -284,6 +300,7 @@ def test_the_profile(home: Home) -> None:
         f"{home.profile / 'preferences'}: written",
         f"{home.profile / 'colorfilters'}: written",
         f"{home.profile / 'dfilter_buttons'}: written",
+        f"{home.profile / 'recent'}: written",
         f"{home.program} loads it.",
         RELOAD,
         "For the profile, choose EV3 under Edit, Configuration Profiles.",
@@ -374,7 +391,7 @@ def test_the_button_for_motors_shows_all_that_works_on_motors(with_profile: Home
     ],
     ids=["edited", "appended", "forced", "older", "same"],
 )
-@pytest.mark.parametrize("name", ["preferences", "colorfilters", "dfilter_buttons"])
+@pytest.mark.parametrize("name", ["preferences", "colorfilters", "dfilter_buttons", "recent"])
 def test_what_was_changed_stays(
     tmp_path: Path, name: str, change: Callable[[str], str], words: tuple[str, ...], said: str, stays: bool
 ) -> None:
@@ -398,7 +415,7 @@ def test_configuration_in_another_place(home: Home, variable: str, profiles: str
     done = home.install("--profile")
     assert (done.returncode, done.stderr) == (0, "")
     assert f"{profiles}/EV3/preferences" in home.files()
-    assert len(home.files()) == 5
+    assert len(home.files()) == 6
     assert re.search(r" EV3 70 1 ", home.read("wifi.pcapng", "-C", "EV3"))
 
 
@@ -461,7 +478,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
         f"{plugins}/ev3.lua",
         f"{plugins}/ev3_statistics.lua",
         launcher,
-        *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences")),
+        *(f"{profile}/{name}" for name in ("colorfilters", "dfilter_buttons", "preferences", "recent")),
     ]
     done = CliRunner().invoke(dissector, ["install", "--profile"])
     assert done.exit_code == 0
@@ -471,7 +488,7 @@ def test_without_a_tshark_the_usual_folders_are_taken(
     assert sys.executable in text
     assert ("%*" in text, '"$@"' in text) == (platform == "win32", platform != "win32")
     done = CliRunner().invoke(dissector, ["uninstall"])
-    assert (done.exit_code, done.output.count(": removed\n")) == (0, 6)
+    assert (done.exit_code, done.output.count(": removed\n")) == (0, 7)
     assert tree(tmp_path) == []
 
 

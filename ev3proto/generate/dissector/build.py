@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from importlib import resources
 
 from ev3proto.generate.dissector.tables import data
@@ -39,11 +40,12 @@ _MADE_BY = f"This file is made by ev3proto {VERSION}"
 def _proto(variable: str, name: str, title: str, file: str) -> str:
     """Returns the Lua that makes a protocol. A second copy of a file, as in the global plugins folder, ends there."""
     return f"""\
-local is_first, {variable} = pcall(Proto, "{name}", "{title}")
-if not is_first then
+if package.loaded["{file}"] then
     io.stderr:write("{file} is loaded already; this copy is ignored: ", debug.getinfo(1, "S").short_src, "\\n")
     return
 end
+package.loaded["{file}"] = true
+local {variable} = Proto("{name}", "{title}")
 
 """
 
@@ -83,7 +85,7 @@ set_plugin_info({{
 
 def build() -> str:
     """Returns the text of ev3.lua, which dissects."""
-    return HEAD + "\n".join([data(), *map(_part, RUNTIME)])
+    return _signed(HEAD + "\n".join([data(), *map(_part, RUNTIME)]))
 
 
 def files() -> dict[str, str]:
@@ -93,7 +95,24 @@ def files() -> dict[str, str]:
 
 def build_statistics() -> str:
     """Returns the text of ev3_statistics.lua, which adds statistics and the export of files. It is optional."""
-    return STATISTICS_HEAD + _part("statistics")
+    return _signed(STATISTICS_HEAD + _part("statistics"))
+
+
+_MARK = "-- Checksum of the lines above, by which a changed file is recognised: "
+
+
+def _signed(text: str) -> str:
+    return f"{text}{_MARK}{_checksum(text)}\n"
+
+
+def _checksum(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def is_unchanged(text: str) -> bool:
+    """Returns whether a Lua file is unchanged since some version of ev3proto wrote it."""
+    above, _, checksum = text.rpartition(_MARK)
+    return checksum == f"{_checksum(above)}\n"
 
 
 def _part(name: str) -> str:

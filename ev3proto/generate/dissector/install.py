@@ -18,7 +18,7 @@ from enum import Enum
 from pathlib import Path
 
 from ev3proto.generate.dissector import profile
-from ev3proto.generate.dissector.build import files
+from ev3proto.generate.dissector.build import files, is_unchanged
 from ev3proto.version import VERSION
 
 TIMEOUT = 60
@@ -92,7 +92,13 @@ class Folders:
 def install_dissector(folder: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
     """Writes ev3.lua and ev3_statistics.lua into a folder; yields the outcome for each."""
     for name, text in files().items():
-        yield folder / name, _write(folder / name, text, is_ours=lambda text: _OURS in text, force=force)
+        yield folder / name, _write(folder / name, text, is_ours=is_unchanged, force=force)
+
+
+def reason_to_keep(path: Path) -> str:
+    """Returns why a file was kept: it `was changed`, or is another program's."""
+    is_ours = _OURS in path.read_text(encoding="utf-8", errors="replace")
+    return "was changed" if is_ours else "belongs to another program"
 
 
 def install_profile(profiles: Path, *, force: bool) -> Iterator[tuple[Path, InstallResult]]:
@@ -128,7 +134,7 @@ def uninstall(folders: Folders, *, force: bool) -> Iterator[tuple[Path, InstallR
     """Removes what the functions above write; `force`: also files of others and changed ones. Raises InstallError."""
     for name in files():
         plugin = folders.plugins / name
-        yield plugin, _remove(plugin, is_ours=lambda text: _OURS in text, force=force)
+        yield plugin, _remove(plugin, is_ours=is_unchanged, force=force)
     if folders.extcap is not None:
         launcher = _launcher_in(folders.extcap)
         yield launcher, _remove(launcher, is_ours=lambda text: _OURS in text, force=force)

@@ -18,22 +18,23 @@ _MARK = "# Made by ev3proto dissector install --profile; checksum of what follow
 
 
 class Column(NamedTuple):
-    """A column of the packet list: its title, and Wireshark's format of its contents."""
+    """A column of the packet list: its title, Wireshark's format of its contents, and its width in pixels."""
 
     title: str
     format: str
+    width: int = 100
 
 
 COLUMNS = (
-    Column("No.", "%m"),
-    Column("Time", "%t"),
-    Column("Source", "%s"),
-    Column("Destination", "%d"),
-    Column("Protocol", "%p"),
-    Column("Length", "%L"),
-    Column("Counter", "%Cus:ev3.msg_num:0:R"),
-    Column("Response time", "%Cus:ev3.response_time:0:R"),
-    Column("Info", "%i"),
+    Column("No.", "%m", 50),
+    Column("Time", "%t", 90),
+    Column("Source", "%s", 110),
+    Column("Destination", "%d", 110),
+    Column("Protocol", "%p", 60),
+    Column("Length", "%L", 50),
+    Column("Counter", "%Cus:ev3.msg_num:0:R", 60),
+    Column("Response time", "%Cus:ev3.response_time:0:R", 100),
+    Column("Info", "%i", 900),
 )
 
 
@@ -102,6 +103,7 @@ def files() -> dict[str, str]:
         "preferences": _signed(_preferences()),
         "colorfilters": _signed(_colours()),
         "dfilter_buttons": _signed(_buttons()),
+        "recent": _signed(_recent()),
     }
 
 
@@ -124,6 +126,15 @@ def _preferences() -> str:
     return f"""\
 gui.column.format:
 {columns}
+"""
+
+
+def _recent() -> str:
+    """Returns the widths of the columns, by which the info column begins left of the middle."""
+    widths = ",\n".join(f'\t"{column.format}", {column.width}' for column in COLUMNS)
+    return f"""\
+column.width:
+{widths}
 """
 
 

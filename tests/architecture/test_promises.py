@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from ev3proto import bounded, dialogue
-from ev3proto.brick import clock
+from ev3proto.brick import clock, images
+from ev3proto.brick.operations.strings import MOST_CHARACTERS
 from ev3proto.brick.servers import limits
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
@@ -30,6 +31,7 @@ from ev3proto.reading import kinds
 from ev3proto.tables.claims import MOST_HELD, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.memory import ARRAY_ROOM
+from ev3proto.tables.paths import MOST_PATH
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste.pieces import MAX_COLLECTED, MAX_LINE
 
@@ -72,7 +74,11 @@ LIMITS = [
     f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
     f"{clock.MOST_OPERATIONS:,}, and {clock.MOST_PROCESSOR_SECONDS:g} s of CPU time",
     f"{clock.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
-    f"{limits.STRETCH * 1000:g} ms of CPU time, and one operation",
+    f"{limits.STRETCH * 1000:g} ms of CPU time, and one step of an operation",
+    f"{limits.STRETCH * 1000:g} ms of CPU time at a time",
+    f"{MOST_CHARACTERS:,} bytes, as in the firmware",
+    f"{images.MOST_IMAGES}, and {images.MOST_BYTES:,} bytes",
+    f"{MOST_PATH:,} bytes",
     f"{limits.MOST_QUEUED} each",
     f"{clock.MOST_WAITING // MIB} MiB",
     f"{ARRAY_ROOM:,} bytes",

@@ -285,19 +285,25 @@ def told(row: Row) -> str | None:
     part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
     if part is None or part.last < len(values.tokens) or part.first or row.after.strip(AROUND):
         return None
-    first, data = values.tokens[0], part.data
-    before = row.line[: first.start]
-    is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
-    is_counted = {*values.widths} != {2} and all(token.text.isdecimal() for token in values.tokens)
-    if 1 in values.widths or is_counted or not (is_alone or head_of(before).direction is not None):
+    if not _is_data(row, values):
         return None
+    first, data = values.tokens[0], part.data
+    is_dull = first.kind == "string" or (len(values.tokens) > 1 and len({*data}) < LEAST - 1)
+    is_known = is_dull or _is_digest(part, data) or _ADDRESS.match(row.line, first.start) is not None
+    return strange_bytes(data) or (None if is_known else bare_reason(data))
+
+
+def _is_data(row: Row, values: Values) -> bool:
+    """Returns whether the values of a line were meant as bytes: nothing or a direction introduces them."""
+    first = values.tokens[0]
+    before = row.line[: first.start]
+    is_counted = {*values.widths} != {2} and all(token.text.isdecimal() for token in values.tokens)
     # Operations by their names are assembly, if they are not joined.
     is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
-    is_address = _ADDRESS.match(row.line, first.start) is not None
-    is_dull = first.kind == "string" or (len(values.tokens) > 1 and len({*data}) < LEAST - 1)
-    if is_assembly:
-        return None
-    return strange_bytes(data) or (None if _is_digest(part, data) or is_address or is_dull else bare_reason(data))
+    if 1 in values.widths or is_counted or is_assembly:
+        return False
+    is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
+    return is_alone or head_of(before).direction is not None
 
 
 def not_a_byte(word: str, *, is_hex: bool = True) -> str:

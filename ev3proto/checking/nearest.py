@@ -223,6 +223,8 @@ class _Search:
         best: dict[bytes, _Candidate] = {}
         for one in self._candidates(frame, before):
             other = best.get(one.frame)
+            if len(one.frame) < _SHORTEST:
+                continue
             if other is None or one.price + one.read < other.price + other.read:
                 best[one.frame] = one
         best.pop(frame, None)

@@ -6,6 +6,7 @@ from unittest.mock import patch
 
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 from support.effort import effort
 
 import ev3proto
@@ -15,6 +16,8 @@ from ev3proto.checking.codes import CODES
 from ev3proto.checking.report import Suggestion
 from ev3proto.checking.slips import SLIPS
 from ev3proto.schema.header import with_length
+from ev3proto.tables.carriers import CARRIERS
+from ev3proto.tables.declaration import DIALECTS
 from ev3proto.testing import frames, mutated_frames
 
 many = settings(max_examples=effort(50, 1000), deadline=None)
@@ -122,6 +125,13 @@ def test_frames_among_others_are_left_alone_unless_they_are_refused_or_have_erro
     frame = bytes.fromhex("0E00 0100 80 0000 94 01 02 82C800 82F401")
     assert [finding.code for finding in ev3proto.check(frame).findings] == ["W303"]
     assert ev3proto.check(frame).nearest == ()
+
+
+@many
+@given(st.binary(max_size=12), st.sampled_from(DIALECTS), st.sampled_from((None, *CARRIERS)))
+def test_no_bytes_make_it_raise(data: bytes, dialect: str, carrier: str | None) -> None:
+    report = ev3proto.check(data, dialect=dialect, carrier=carrier, alone=True)
+    assert all(len(one.frame) >= 5 for one in report.nearest)
 
 
 @many

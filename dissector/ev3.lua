@@ -1115,10 +1115,6 @@ do
         if first then first.accepted = TYPE_RANGES[rows[1].validated or first.type] end
     end
 
-    local function has_dialect(row, dialect)
-        return not row.dialects or row.dialects[dialect]
-    end
-
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
     for _, dialect in ipairs(DIALECTS) do
@@ -1131,10 +1127,11 @@ do
             operations[command] = declare_operation(row[2] .. "." .. command[2], command[4])
         end
         for dialect, set in pairs(INSTRUCTION_SETS) do
-            if has_dialect(row, dialect) then
+            if not row.dialects or row.dialects[dialect] then
                 local family = { name = row[2], commands = {} }
                 for command, declared in pairs(operations) do
-                    if has_dialect(command, dialect) then family.commands[command[1]] = declared end
+                    local dialects = command.dialects
+                    if not dialects or dialects[dialect] then family.commands[command[1]] = declared end
                 end
                 set[row[1]] = operation or family
             end
@@ -1661,9 +1658,7 @@ do
     local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
 
     -- One string for equal bodies, up to a number of them.
-    local shared, shared_count
-
-    local conversations
+    local shared, shared_count, conversations
 
     function dialogues.forget()
         asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
@@ -2387,6 +2382,11 @@ do
                 or item:add(declared.field, range, value)
             for _, meaning in ipairs(declared.is_message and meanings_of(found.value) or {}) do
                 added:add(meaning.field, range, meaning.value)
+            end
+            -- A piece of a listing may begin and end within a line.
+            for line in (declared.kind == LISTING and value or ""):gmatch("[^\n]+") do
+                local size, name = line:match("^%x+ (%x+) (.+)$")
+                added:add(range, size and format("%s, %d bytes", name, tonumber(size, 16)) or line)
             end
         end
         add_rest(message, view, message.rest)
@@ -4272,4 +4272,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 7ff29412d35be047
+-- Checksum of the lines above, by which a changed file is recognised: 278db752da8c3c48

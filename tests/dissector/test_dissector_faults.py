@@ -7,6 +7,7 @@ The frames are drawn once, the mutations depend on a seed: every run reads the s
 from __future__ import annotations
 
 import random
+import re
 import struct
 import subprocess
 from collections import Counter
@@ -873,3 +874,16 @@ def test_nan_has_one_form(tshark: Tshark) -> None:
     path = tshark.place(capture.data(), "nan.pcap")
     shown = tshark.run(path, "-Y", "ev3.answers", "-T", "fields", "-e", "ev3.ui_read.get_vbatt.value")
     assert shown.split() == ["nan"] * 3
+
+
+def test_a_listing_has_a_line_for_each_file(tshark: Tshark) -> None:
+    listing = b"0123456789ABCDEF0123456789ABCDEF 000004A3 Program.rbf\nui/\n"
+    body = bytes((0x99, 0x08)) + struct.pack("<IB", len(listing), 0) + listing
+    frame = struct.pack("<HHB", 3 + len(body), 1, 0x03) + body
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    connection.receive(frame)
+    shown = tshark.run(tshark.place(capture.data(), "listing.pcap"), "-V", "-O", "ev3")
+    assert "Program.rbf, 1187 bytes\n" in shown
+    assert re.search(r"^ +ui/$", shown, re.MULTILINE)

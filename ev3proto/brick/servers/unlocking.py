@@ -63,7 +63,7 @@ def why_not_open(error: Exception, address: str, port: int) -> str:
     if isinstance(error, OverflowError):
         return f"invalid port {port}; expected 0 to 65535"
     if code == errno.EADDRINUSE:
-        return f"port {port} of {address} is in use: end what uses it, or give another one (--port 0 takes any)"
+        return f"port {port} of {address} is in use: end what uses it, or give another one"
     if code == errno.EACCES:
         return f"port {port} needs administrator rights; take one above 1023"
     if code == errno.EADDRNOTAVAIL:

@@ -21,9 +21,7 @@ do
     local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
 
     -- One string for equal bodies, up to a number of them.
-    local shared, shared_count
-
-    local conversations
+    local shared, shared_count, conversations
 
     function dialogues.forget()
         asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}

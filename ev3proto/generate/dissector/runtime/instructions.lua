@@ -162,10 +162,6 @@ do
         if first then first.accepted = TYPE_RANGES[rows[1].validated or first.type] end
     end
 
-    local function has_dialect(row, dialect)
-        return not row.dialects or row.dialects[dialect]
-    end
-
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
     for _, dialect in ipairs(DIALECTS) do
@@ -178,10 +174,11 @@ do
             operations[command] = declare_operation(row[2] .. "." .. command[2], command[4])
         end
         for dialect, set in pairs(INSTRUCTION_SETS) do
-            if has_dialect(row, dialect) then
+            if not row.dialects or row.dialects[dialect] then
                 local family = { name = row[2], commands = {} }
                 for command, declared in pairs(operations) do
-                    if has_dialect(command, dialect) then family.commands[command[1]] = declared end
+                    local dialects = command.dialects
+                    if not dialects or dialects[dialect] then family.commands[command[1]] = declared end
                 end
                 set[row[1]] = operation or family
             end

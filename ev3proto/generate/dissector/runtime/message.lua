@@ -194,6 +194,11 @@ do
             for _, meaning in ipairs(declared.is_message and meanings_of(found.value) or {}) do
                 added:add(meaning.field, range, meaning.value)
             end
+            -- A piece of a listing may begin and end within a line.
+            for line in (declared.kind == LISTING and value or ""):gmatch("[^\n]+") do
+                local size, name = line:match("^%x+ (%x+) (.+)$")
+                added:add(range, size and format("%s, %d bytes", name, tonumber(size, 16)) or line)
+            end
         end
         add_rest(message, view, message.rest)
     end

@@ -14,15 +14,17 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, is_prose, is_wrong_frame, may_begin
+from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, has_place, is_prose, is_wrong_frame, may_begin
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
-from ev3proto.text.paste.sequences import Part, Values, best
+from ev3proto.text.paste.sequences import Part, Values, best, within
 from ev3proto.text.paste.strangers import strange_bytes
 from ev3proto.text.paste.tokens import BYTES, MISSPELT, Token, clean, string_bytes
 
 _MOST_STARTS = 8
+_MOST_BEFORE = 400
+"""Characters in front of bytes in which a word may say which way they went."""
 _ADDRESS = re.compile(r"(?:[0-9a-fA-F]{2}[:-]){5}[0-9a-fA-F]{2}(?![:-])")
 _WORD = re.compile(r"[\s,:;|\"'`-]{0,2}+(\\?\w[^\s,:;|\"'`\[\](){}<>#/]*)")
 _LESSON = re.compile(r"0[xX]\|")
@@ -126,9 +128,13 @@ def _extents(values: Values, part: Part) -> Iterator[tuple[int, int]]:
         yield from (one for one in extents if one[0] != bad[0] and one[1] != bad[1])
         return
     yield from literals
-    edges = [place for place in values.breaks if place in values.opens or _has_slip(values, place)]
-    starts = [part.offsets[place - part.first] for place in edges if part.first < place < part.last]
-    lists = [] if literals else [*pairwise((0, *starts[:_MOST_STARTS], len(part.data)))]
+    edges = (
+        part.offsets[place - part.first]
+        for place in within(values.breaks, part)
+        if has_place(values.opens, place) or _has_slip(values, place)
+    )
+    starts = list(islice(edges, _MOST_STARTS))
+    lists = [] if literals else [*pairwise((0, *starts, len(part.data)))]
     yield from lists
     yield from (one for one in extents if one not in lists)
 
@@ -160,7 +166,7 @@ def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> boo
         return True
     if after.lstrip(" ,;|:")[:1] in tuple("])}>\"'`") and any(sign in before for sign in "[({<\"'`"):
         return True
-    return head_of(row.line[: first.start]).direction is not None
+    return head_of(row.line[max(0, first.start - _MOST_BEFORE) : first.start]).direction is not None
 
 
 def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
@@ -173,7 +179,9 @@ def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
                 for start, end in islice(values.between_breaks(part), _MOST_STARTS):
                     end = len(part.data) if is_cut else end
                     data, (first, _) = part.data[start:end], values.span(part, start, end)
-                    before = line[: first.start] if first.line == rows[0].number else ""
+                    before = (
+                        line[max(0, first.start - _MOST_BEFORE) : first.start] if first.line == rows[0].number else ""
+                    )
                     if _ADDRESS.match(line, first.start) or _is_digest(part, data):
                         continue
                     found = _with_stop(Near(data, values, part, start, end), base, rows)

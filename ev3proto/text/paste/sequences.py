@@ -17,7 +17,7 @@ from typing import NamedTuple
 from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import with_length
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import Edges, Frame, frames_in, is_command, is_sure
+from ev3proto.text.paste.frames import Edges, Frame, frames_in, has_place, is_command, is_sure
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
 
@@ -56,6 +56,11 @@ class Part(NamedTuple):
     def last(self) -> int:
         """The place after the last value."""
         return self.first + len(self.offsets) - 1
+
+
+def within(places: list[int], part: Part) -> list[int]:
+    """Returns those of some places that are inside a part."""
+    return places[bisect_right(places, part.first) : bisect_left(places, part.last)]
 
 
 class Values:
@@ -135,18 +140,14 @@ class Values:
         """Returns whether the values before and behind a part are written like those in it, but have no bytes."""
         before, after = part.first - 1, part.last
         return (
-            before >= 0 and self.widths[before] > 0 and part.first not in self.breaks,
-            after < len(self.tokens) and self.widths[after] > 0 and after not in self.breaks,
+            before >= 0 and self.widths[before] > 0 and not has_place(self.breaks, part.first),
+            after < len(self.tokens) and self.widths[after] > 0 and not has_place(self.breaks, after),
         )
 
     def edges(self, part: Part) -> Edges:
         """Returns where frames may begin and end in a part."""
         breaks, opens = (
-            [
-                part.offsets[place - part.first]
-                for place in places[bisect_right(places, part.first) : bisect_left(places, part.last)]
-            ]
-            for places in (self.breaks, self.opens)
+            [part.offsets[place - part.first] for place in within(places, part)] for places in (self.breaks, self.opens)
         )
         return Edges(breaks, part.offsets, opens, self.is_torn(part))
 

@@ -172,7 +172,7 @@ def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> boo
 def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes that break off at a slip, an ellipsis, or the end of the line."""
     line = rows[0].line
-    for values in sequences:
+    for values in (one for one in sequences if not one.is_guess):
         for base in values.bases[:2] if values.bases[0] != "base64" else ():
             for part in islice(_parts(values, base), _MOST_STARTS):
                 is_cut = part.last < len(values.tokens) and values.tokens[part.last].kind == "cut"
@@ -202,7 +202,7 @@ def _parts(values: Values, base: str) -> Iterator[Part]:
     yield from found
     begun = {part.last for part in found}
     for place, token in enumerate(values.tokens):
-        if place not in begun and (data := _partial(token).data):
+        if place not in begun and len(token.text) >= LEAST and (data := _partial(token).data):
             yield Part(place, data, [0, len(data)], [])
 
 

@@ -1,5 +1,6 @@
 // A real brick: connecting it, its answers, what is asked for every second, the recording, and the comparison.
 
+import { brickFiles } from "./brick_files.js";
 import { openBluetooth, openUsb, Refused } from "./carriers.js";
 import { filled, find, inside, make, saveAs } from "./elements.js";
 import { change, follow, state } from "./state.js";
@@ -29,6 +30,7 @@ const FRAMED = "This page is in a frame of another page, so it connects to no re
  * @property {{done: number, count: number}} [comparing]
  * @property {Comparison} [comparison]
  * @property {boolean} [hasLeft]  nothing is open on the brick any more
+ * @property {import("./brick_files.js").FileNews} [files]
  */
 /**
  * @typedef {object} Real
@@ -70,6 +72,7 @@ export const realBrick = (python) => {
     watch.checked = false;
     // A real brick has the place of the virtual one.
     find("virtual", HTMLDetailsElement).open = wire === null;
+    find("brick-files", HTMLDetailsElement).open = false;
     change({ connection: wire?.kind ?? "none", isComparing: false });
   };
 
@@ -154,7 +157,8 @@ export const realBrick = (python) => {
   };
 
   /** @type {Real["take"]} */
-  const take = ({ answers, isWaiting, facts, comparing, comparison, hasLeft }) => {
+  const take = ({ answers, isWaiting, facts, comparing, comparison, hasLeft, files: moved }) => {
+    if (moved) files.take(moved);
     if (answers) {
       const lines = answers.flatMap((answer) => answer.map((pieces) => {
         const line = filled(make("span"), pieces);
@@ -246,6 +250,8 @@ export const realBrick = (python) => {
     dialog.addEventListener("close", () => resolve(dialog.returnValue === "allow"), { once: true });
     dialog.showModal();
   });
+
+  const files = brickFiles(python, isAllowed);
 
   /** @type {Real["send"]} */
   const send = async (given) => {

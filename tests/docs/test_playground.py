@@ -859,6 +859,34 @@ def test_all_motors_stop_without_a_question(page: Page) -> None:
     page.wait(lambda: page.is_shown("display") and not page.is_shown("stop-motors"))
 
 
+def test_files_of_a_real_brick_are_listed_and_what_changes_them_asks(page: Page, tmp_path: Path) -> None:
+    note = tmp_path / "note.rtf"
+    note.write_text("hello")
+    page.connect("usb")
+    page.browser.find_element(By.CSS_SELECTOR, "#brick-files summary").click()
+    page.wait(lambda: page.text("brick-path") == "/home/root/lms2012/prjs")
+    page.browser.find_element(By.ID, "upload").send_keys(str(note))
+    page.wait(lambda: page.is_shown("allow"))
+    assert "Writes /home/root/lms2012/prjs/note.rtf on the brick." in page.text("ask")
+    page.click("allow")
+    page.wait(lambda: "note.rtf" in page.text("brick-list"))
+    page.run(
+        "URL.createObjectURL = (blob) => { blob.text().then((text) => { saved = text; }); return 'about:blank#'; };"
+        "saved = null; HTMLAnchorElement.prototype.click = () => {}"
+    )
+    page.browser.find_element(By.XPATH, "//ul[@id='brick-list']//button[text()='note.rtf']").click()
+    page.wait(lambda: page.run("return saved") == "hello")
+    page.browser.find_element(By.XPATH, "//button[text()='Delete note.rtf']").click()
+    page.wait(lambda: page.is_shown("allow"))
+    page.click("allow")
+    page.wait(lambda: "note.rtf" not in page.text("brick-list"))
+    page.browser.find_element(By.ID, "new-name").send_keys("desk7")
+    page.click("rename")
+    page.wait(lambda: page.is_shown("allow"))
+    page.click("cancel")
+    page.wait(lambda: not page.is_shown("allow"))
+
+
 def test_operations_can_be_edited_and_the_frame_follows(page: Page) -> None:
     page.read("0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|")
     page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=operations]").click()

@@ -45,6 +45,7 @@ __all__ = [
     "connect",
     "end_comparison",
     "explain",
+    "files",
     "fix",
     "frames_of",
     "gone",
@@ -53,6 +54,7 @@ __all__ = [
     "look",
     "made",
     "open_file",
+    "panel",
     "play",
     "record",
     "remedies",
@@ -281,6 +283,19 @@ def stop_motors() -> str:
     assert _real is not None
     _real.stop_motors()
     return "null"
+
+
+def files(action: str, path: str, data: Any) -> str:
+    """Does something with a file or folder of the brick: see `RealBrick.files`."""
+    assert _real is not None
+    _real.files(action, path, _bytes(data))
+    return "null"
+
+
+def panel(action: str, text: str, is_allowed: bool) -> str:
+    """Renames the brick, or starts or stops a program; returns as `talk` does."""
+    assert _real is not None
+    return json.dumps(_real.panel(action, text, is_allowed=is_allowed))
 
 
 def record() -> str:

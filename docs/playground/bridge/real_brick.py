@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import json
 import random
@@ -16,24 +17,27 @@ from ev3proto.capture import read
 from ev3proto.capture.dialogues import dialogues
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.checking.checking import check
+from ev3proto.compose import Draft
 from ev3proto.dialogue import Dialogue
 from ev3proto.generate.captures.recording import Recording
-from ev3proto.link import questions
+from ev3proto.link import file_moves, questions
 from ev3proto.link.commands import Prepared, SyncMode, direct
 from ev3proto.link.errors import LinkError
+from ev3proto.link.file_moves import Task
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.link.policy import Outcome, Policy, Talk
 from ev3proto.link.questions import Question
 from ev3proto.link.replay import Likeness, Replay, Step, compare, plan, steps
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
-from ev3proto.ops import input_readsi, output_stop
+from ev3proto.messages import LV, SystemReply
+from ev3proto.ops import com_set, file, input_readsi, output_stop, program_start, program_stop
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
+from ev3proto.schema.header import HEADER_SIZE, Header, build_frame, frame_size
 from ev3proto.semantics.replies import Value
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.devices import DEVICE_TYPES
-from ev3proto.tables.enumerations import TYPE
+from ev3proto.tables.enumerations import SLOT, TYPE
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
@@ -372,6 +376,43 @@ class RealBrick:
         self._advance()
         return True
 
+    # Files and programs
+
+    def files(self, action: str, path: str, data: bytes) -> None:
+        """Lists a folder of the brick, or reads, writes or deletes a file. The page hears what came of it.
+
+        Args:
+            action: One of TASKS.
+            path: The folder or file.
+            data: What is written.
+        """
+        task = TASKS[action](path, data)
+        said: dict[str, Any] = {"action": action, "path": path, "error": ""}
+
+        def talk() -> Talk:
+            try:
+                command = next(task)
+                while True:
+                    reply = yield command.build()
+                    answer = None if reply is None else parse(reply, strict=False)
+                    if not isinstance(answer, SystemReply):
+                        said["error"] = "the brick does not answer"
+                        return Outcome()
+                    command = task.send(answer)
+            except StopIteration as end:
+                said["result"] = _as_json(end.value)
+            except LinkError as error:
+                said["error"] = str(error)
+            return Outcome()
+
+        self.converse(talk(), lambda *_: self.tell(files=said))
+        self._advance()
+
+    def panel(self, action: str, text: str, *, is_allowed: bool) -> dict[str, Any]:
+        """Does one of PANEL, as `send` sends a command: it asks first."""
+        prepared = direct(PANEL[action](text), 0, 0, SyncMode.SYNC, DIALECT)
+        return self.send([build_frame(prepared.kind, 0, prepared.body)], is_allowed=is_allowed)
+
     # What is asked for every second
 
     def watch(self, is_wanted: bool) -> None:
@@ -527,10 +568,36 @@ class Comparison:
         )
 
 
+TASKS: dict[str, Callable[[str, bytes], Task[Any]]] = {
+    "list": lambda path, _: file_moves.list_dir(path),
+    "fetch": lambda path, _: file_moves.upload(path),
+    "put": lambda path, data: file_moves.download(data, path),
+    "delete": lambda path, _: file_moves.delete(path),
+}
+"""What can be done with files."""
+
+_USER_SLOT = SLOT.members["USER_SLOT"]
+PANEL: dict[str, Callable[[str], list[Draft]]] = {
+    "rename": lambda name: [com_set.set_brickname(name)],
+    "start": lambda path: [
+        file.load_image(_USER_SLOT, path, LV(0), LV(4)),
+        program_start(_USER_SLOT, LV(0), LV(4), 0),
+    ],
+    "stop": lambda _: [program_stop(_USER_SLOT)],
+}
+"""What can be done with the brick and its programs, as operations."""
+
 _PORTS = (*SENSOR_PORTS, *MOTOR_PORTS)
 _TYPES_AND_MODES = Question(
     questions.SENSORS.operations, lambda values: list(zip(map(int, values[::2]), map(int, values[1::2]), strict=True))
 )
+
+
+def _as_json(value: Any) -> Any:
+    """Returns what a task found: a folder's names, with sizes of files, or the bytes of a file in base64."""
+    if isinstance(value, file_moves.Listing):
+        return {"folders": value.folders, "files": [[each.name, each.size] for each in value.files]}
+    return base64.b64encode(value).decode() if isinstance(value, bytes) else None
 
 
 def _adopting(frame: bytes) -> Callable[[Session], Request]:

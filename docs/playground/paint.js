@@ -10,6 +10,9 @@ const input = find("input", HTMLTextAreaElement), behind = find("paint");
 /** Between two bytes in hex. */
 const GAP = String.raw`(?:[\s,:;|.'"{}()[\]-]|0x|\\x)*`;
 
+/** Characters of a text in which bytes are looked for; a longer one has no colours. */
+const MOST_TEXT = 20_000;
+
 /** What is painted: where each byte of the frame is, and the class of each. @type {{spans: Span[], classes: string[]}} */
 let painted = { spans: [], classes: [] };
 
@@ -31,7 +34,8 @@ export const spansOf = (text, hex, count) => {
 
 /** Takes the frame whose bytes have colours in the input. @param {string} hex @param {string[]} classes @param {number} count */
 export const colour = (hex, classes, count) => {
-  painted = { spans: state().file ? [] : spansOf(input.value, hex, count), classes };
+  const isPlain = !state().file && input.value.length <= MOST_TEXT;
+  painted = { spans: isPlain ? spansOf(input.value, hex, count) : [], classes };
   paint(null);
 };
 

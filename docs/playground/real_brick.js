@@ -42,6 +42,18 @@ const FRAMED = "This page is in a frame of another page, so it connects to no re
  * @property {() => void} drop
  */
 
+/** Returns why this page reaches no real brick; empty if it may. */
+const whyNone = () => {
+  if (IS_FRAMED) return FRAMED;
+  return navigator.hid || navigator.serial ? "" : ELSEWHERE;
+};
+
+/** Returns why a connection was not made. @param {unknown} error @param {boolean} isUsb */
+const refusal = (error, isUsb) => {
+  if (error instanceof Refused) return `${error.message}.${isUsb ? SNAP : ""}`.replace("?.", "?");
+  return `Not connected: ${error instanceof Error ? error.message : error}`;
+};
+
 /**
  * Controls what belongs to a real brick.
  *
@@ -89,8 +101,9 @@ export const realBrick = (python) => {
 
   /** @param {typeof openUsb} open */
   const connect = async (open) => {
-    if (IS_FRAMED || (!navigator.hid && !navigator.serial)) {
-      status(IS_FRAMED ? FRAMED : ELSEWHERE);
+    const obstacle = whyNone();
+    if (obstacle) {
+      status(obstacle);
       return;
     }
     change({ isConnecting: true });
@@ -108,7 +121,7 @@ export const realBrick = (python) => {
     } catch (error) {
       wire = null;
       showState();
-      status(error instanceof Refused ? `${error.message}.${open === openUsb ? SNAP : ""}`.replace("?.", "?") : `Not connected: ${error instanceof Error ? error.message : error}`);
+      status(refusal(error, open === openUsb));
     } finally {
       change({ isConnecting: false });
     }

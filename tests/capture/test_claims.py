@@ -222,3 +222,16 @@ def test_a_machines_controller_is_not_taken_for_a_brick(carrier: str) -> None:
         for from_host, data in checked_modbus(random.Random(seed)):
             (conversation.send if from_host else conversation.receive)(data)
     assert list(read(io.BytesIO(capture.data()))) == []
+
+
+@pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
+def test_a_reply_proves_the_newest_command_with_its_counter(carrier: str) -> None:
+    """What came before is as likely something else: the brick answers each command before the next one is sent."""
+    capture = Capture(CARRIERS[carrier])
+    conversation = way(carrier, capture, 0)
+    for volume in ("82 2C01", "82 9001"):
+        conversation.send(direct(7, f"94 01 {volume} 82 B801 82 E803"))
+    conversation.receive(reply(7))
+    messages = [record.message for record in read(io.BytesIO(capture.data()))]
+    assert [message.type.is_command for message in messages if message.type is not None] == [True, False]
+    assert messages[0].operations[0].arguments[0].value == 400  # type: ignore[attr-defined]

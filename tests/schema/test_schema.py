@@ -15,6 +15,7 @@ from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
+from ev3proto.schema.argument import encode_as
 from ev3proto.schema.header import read_memory, write_memory
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.encoding import ENCODINGS
@@ -589,3 +590,29 @@ def test_only_bytes_are_parsed() -> None:
     with pytest.raises(TypeError):
         ev3proto.parse(5)  # type: ignore[call-overload]
     assert ev3proto.parse(bytearray.fromhex("0600010080000001")).counter == 1
+
+
+def test_a_length_that_is_too_small_is_told_with_both_numbers() -> None:
+    with pytest.raises(DecodeError) as caught:
+        ev3proto.parse(frame_of("03:00|2A:00|02|FF:00"))
+    assert caught.value.reason == "the frame is longer than its length field says: 3 bytes should follow it, but 5 do"
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "limits"),
+    [
+        ("LC0", (-33, 32), "-32 to 31"),
+        ("LC1", (-129, 128), "-128 to 127"),
+        ("LC2", (-32769, 32768), "-32768 to 32767"),
+        ("LC4", (-2147483649, 2147483648), "-2147483648 to 2147483647"),
+        ("GV0", (-1, 32), "0 to 31"),
+        ("LV1", (-1, 256), "0 to 255"),
+        ("GV2", (-1, 65536), "0 to 65535"),
+        ("LV4", (-1, 4294967296), "0 to 4294967295"),
+    ],
+)
+def test_an_encoding_names_its_limits(name: str, values: tuple[int, int], limits: str) -> None:
+    for value in values:
+        with pytest.raises(BuildError) as caught:
+            encode_as(name, value)
+        assert str(caught.value) == f"{name} cannot hold {value}: it is limited to {limits}"

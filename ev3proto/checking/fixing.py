@@ -42,29 +42,43 @@ def fix(
     given = frame.build() if isinstance(frame, Message) else as_bytes(frame, "a frame")
     report = check(given, dialect=dialect, carrier=carrier)
     changes: list[Change] = []
-    unfixed: list[str] = []
-    found = check(given, dialect=dialect, carrier=carrier, alone=True).nearest
+    while True:
+        # Each round has fewer findings than the one before.
+        after, made, unfixed = _meant(report)
+        if not made and shorten:
+            after, made, kept = _shorter(report)
+            unfixed += kept
+        if not made:
+            return Fix(report.frame, tuple(changes), tuple(unfixed), report)
+        changes, report = [*changes, *made], after
+
+
+def _meant(report: Report) -> tuple[Report, list[Change], list[str]]:
+    """Returns the report on what was meant and the change to it, if that is certain; else why it is not."""
+    frame, dialect, carrier = report.frame, report.dialect, report.carrier
+    found = check(frame, dialect=dialect, carrier=carrier, alone=True).nearest
     for one in found:
         after = check(one.frame, dialect=dialect, carrier=carrier)
         if one.is_sure and is_better(after, report):
-            changes, report = [_change(given, one)], after
-        else:
-            unfixed.append(f"{one.message}; {_doubt(one, len(found))}")
-    if shorten:
-        made, kept = _shortened(report)
-        after = check(made[-1][1], dialect=dialect, carrier=carrier) if made else report
-        if made and is_better(after, report):
-            changes, report = [*changes, *[change for change, _ in made]], after
-        elif made:
-            kept = [f"shorter encodings of {counted(len(made), 'value')} would not give a frame with fewer findings"]
-        unfixed += kept
-    return Fix(report.frame, tuple(changes), tuple(unfixed), report)
+            return after, [_change(frame, one)], []
+    return report, [], [f"{one.message}; {_doubt(one, len(found))}" for one in found]
+
+
+def _shorter(report: Report) -> tuple[Report, list[Change], list[str]]:
+    """Returns the report on the frame with shorter encodings and the changes to it, and what was kept."""
+    made, kept = _shortened(report)
+    if not made:
+        return report, [], kept
+    after = check(made[-1][1], dialect=report.dialect, carrier=report.carrier)
+    if is_better(after, report):
+        return after, [change for change, _ in made], kept
+    reason = f"shorter encodings of {counted(len(made), 'value')} would not give a frame with fewer findings"
+    return report, [], [reason]
 
 
 def is_better(after: Report, before: Report) -> bool:
     """Returns whether a frame is accepted with fewer findings, and no more errors, than another."""
-    is_command = after.accepted or not after.errors  # replies are not accepted, nor refused
-    return is_command and len(after.findings) < len(before.findings) and len(after.errors) <= len(before.errors)
+    return after.accepted and len(after.findings) < len(before.findings) and len(after.errors) <= len(before.errors)
 
 
 def _change(given: bytes, one: Suggestion) -> Change:

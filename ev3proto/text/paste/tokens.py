@@ -152,7 +152,7 @@ FORMS = (
     Form("unknown", EXPRESSION, f"{EXPRESSION}+"),
     Form("marked", "LC1(20)", rf"{_BEFORE}(?:\w{{1,20}}\.)?{_MACRO}"),
     Form("marked", "opNOP", rf"{_BEFORE}(?:[a-z]\w{{0,20}}\.)?(?:op[A-Z]\w+|[A-Z][A-Z0-9_]+){_AFTER}"),
-    Form("cut", "...", r"(?<![.|>])(?<!\s\s)\.{3}(?!\.)|\u2026"),
+    Form("cut", "...", r"(?<![.>])(?<!\s\|)(?<!\s\s)\.{3}(?!\.)|\u2026"),
     # Words are stepped over at once.
     Form("word", "length", r"[^\W\d]\w*"),
 )  # fmt: skip

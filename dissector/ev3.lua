@@ -947,8 +947,9 @@ end
 local NUMBER, FLOAT, TEXT_VALUE = "number", "float", "text"
 
 -- Adds expert information. Wireshark also collects it without a tree: then `item` is the root.
+local add_expert_info = TreeItem.add_proto_expert_info
 local function complain(item, kind, text)
-    item:add_proto_expert_info(experts[kind], text)
+    add_expert_info(item, experts[kind], text)
 end
 
 -- The instruction set, made ready -----------------------------------------------------------------------------------
@@ -4272,4 +4273,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 278db752da8c3c48
+-- Checksum of the lines above, by which a changed file is recognised: 991104d9db8565a3

@@ -95,7 +95,7 @@ class Values:
         shapes = [shape(token.gap) for token in self.tokens]
         strings = [token.kind == "string" for token in self.tokens]
         usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
-        if count == 1 and (len(shapes) > 2 or any(strings) or any(map(str.isalpha, usual))):
+        if count == 1 and (len(shapes) > 2 or any(strings) or len(usual) > 1):
             usual = ""
         is_uniform = len({*self.widths}) == 1 and self.widths[0] < 2 * LEAST and not any(strings)
         return [

@@ -697,3 +697,14 @@ def test_labels_of_jumps_are_labels() -> None:
 
 def test_a_text_with_other_bits_is_a_text_too() -> None:
     assert "E304" in codes(raw("A5 00 01 9C A6 00 01"))
+
+
+@pytest.mark.parametrize(("characters", "sentence"), [(119, None), (120, "120 characters"), (125, "125 characters")])
+def test_a_text_that_is_too_long_is_counted(characters: int, sentence: str | None) -> None:
+    frame = command(operation("UI_DRAW.BMPFILE", 1, 0, 0, "a" * characters))
+    about = [(finding.message, finding.help) for finding in check(frame).findings if finding.code == "E502"]
+    if sentence is None:
+        assert about == []
+    else:
+        over = characters - 119
+        assert about == [(f"NAME has {sentence}; the firmware accepts at most 119", f"shorten it by {over}")]

@@ -17,7 +17,7 @@ from ev3proto.text.paste.frames import has_head, is_carried, is_wrong_frame
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
 from ev3proto.text.paste.near import Near, near, told
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, Unknown, check_text, short
-from ev3proto.text.paste.rows import AROUND, Row, of_line, of_rows, of_tokens, openings
+from ev3proto.text.paste.rows import AROUND, Row, of_line, of_rows, openings
 from ev3proto.text.paste.sequences import Part, Reading, Values, best
 from ev3proto.text.paste.strangers import strange_text
 from ev3proto.text.paste.tokens import EXPRESSION, Token, clean, unknown_bytes
@@ -115,7 +115,7 @@ class Block:
             return True
         size = len(self.data) + len(data)
         is_needed = has_head(self.data) and size <= frame_size(self.data)
-        alone = best(of_tokens(row.tokens))
+        alone = best(row.sequences)
         if alone is not None and alone.worth.is_whole:
             return not is_needed or not row.is_bare or len(data) != size // (len(self.rows) + 1)
         return not is_needed and has_head(data) and is_wrong_frame(data, is_alone=True)

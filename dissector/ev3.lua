@@ -3137,7 +3137,8 @@ end
 -- The byte stream of a TCP connection or of RFCOMM. Frames may be split over packets and share them; over TCP a text
 -- from each side may precede them.
 
-local streaming = {}
+-- `sure_places`: where bytes are in no frame, in conversations that are a brick's for sure.
+local streaming = { sure_places = {} }
 do
     -- Matches the text that unlocks the brick's port: the offset after it, and the serial number.
     local function match_unlock(text, at)
@@ -3178,15 +3179,11 @@ do
         return "accepted", after
     end
 
-    local function starts_with(text, start)
-        return sub(text, 1, #start) == start
-    end
-
     -- Tells whether one of the texts may begin here and continue in the next segment.
     local function is_part_of_text(text, at)
         local part = sub(text, at + 1)
-        if starts_with(UNLOCK.answer, part) or starts_with(UNLOCK.request, part) then return true end
-        return #part < UNLOCK.most_bytes and starts_with(part, UNLOCK.request)
+        if find(UNLOCK.answer, part, 1, true) == 1 or find(UNLOCK.request, part, 1, true) == 1 then return true end
+        return #part < UNLOCK.most_bytes and sub(part, 1, #UNLOCK.request) == UNLOCK.request
     end
 
     -- Judges data at the start of a connection: OURS if they begin with one of the texts, PART, or nil.
@@ -3213,12 +3210,20 @@ do
         return said, stop
     end
 
-    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there. They may
-    -- belong to a frame that the capture cut, in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown)
-        local said = format("no frame (%s)", phrases.plural(stop - at, "byte"))
+    -- Returns the plain text between two offsets, nil if they have other bytes or less than four characters.
+    local function plain_text(text, at, stop)
+        return sub(text, at + 1, stop):match("^([\32-\126][\32-\126][\32-\126][\32-\126]+)[\r\n]*\0?$")
+    end
+
+    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there, `plain` the
+    -- text that they are. They may belong to a frame that the capture cut, in this packet or before.
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain)
+        local count = phrases.plural(stop - at, "byte")
+        local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
         local reason = "bytes that are in no frame, as after a gap in the capture"
-        if length and (length < MIN_LENGTH or length > MAX_LENGTH) then
+        if plain then
+            reason = "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX"
+        elseif length and (length < MIN_LENGTH or length > MAX_LENGTH) then
             reason = "no frame can start here: the length field says %d, but it can be %d to %d"
             reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
         end
@@ -3288,8 +3293,7 @@ do
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
-        local at, captured, lost, start = stream.start or 0, #text, 0, tvb:offset()
-        local step = stream.step
+        local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
         while at < captured do
             local said, after, verdict, wanted
             if UNLOCK.starts[byte(text, at + 1)] then
@@ -3309,8 +3313,8 @@ do
                 if verdict == PART then return at, wanted, lost, step_then end
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
-                local reason = "the frame is cut off in its header"
-                local kind = is_cut_by_capture(tvb, captured, pinfo) and "cut_by_capture" or "cut_off"
+                local kind, reason = "cut_off", "the frame is cut off in its header"
+                if is_cut_by_capture(tvb, captured, pinfo) then kind = "cut_by_capture" end
                 said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
@@ -3324,18 +3328,19 @@ do
                     add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
                     -- Without gaps between packets this is the sender's fault, and ends with the packet.
-                    local least
-                    if not stream.is_last and (step == "lost" or stream.may_gap) then
-                        least = 1
-                    elseif not stream.is_last and at > 0 then
-                        least = LENGTH_FIELD
-                    end
-                    local from, is_open = step == "lost" and at or at + 1, nil
+                    local is_lost, is_open = step == "lost", nil
+                    local least = not stream.is_last and ((is_lost or stream.may_gap) and 1 or at > 0 and LENGTH_FIELD)
+                    local from, place = is_lost and at or at + 1, storage.place_of(number, start + at)
                     after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
-                    step = (is_open or after == captured) and "lost" or "sure"
+                    if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
+                    local may_be_text = not is_lost and streaming.sure_places[place]
+                    local plain = may_be_text and plain_text(text, at, captured)
+                    if plain then after, is_open = captured, false end
+                    plain = plain or may_be_text and plain_text(text, at, after)
+                    step = (is_open or after == captured and not plain) and "lost" or "sure"
                     if after > at then
                         local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown)
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain)
                         lost = lost + after - at
                     end
                     if is_open then
@@ -3963,10 +3968,7 @@ do
 
     -- Names a connection after its brick, to which a packet goes or from which it comes.
     local function name_brick(conversation, pinfo, to_brick)
-        local address, port = pinfo.src, pinfo.src_port
-        if to_brick then
-            address, port = pinfo.dst, pinfo.dst_port
-        end
+        local address, port = to_brick and pinfo.dst or pinfo.src, to_brick and pinfo.dst_port or pinfo.src_port
         conversation.name = plain_address(address) .. ":" .. port
         conversation.address, conversation.port = address, port
     end
@@ -4118,8 +4120,7 @@ do
 
         local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
-            local at, values = 0, {}
-            local port
+            local at, values, port = 0, {}, nil
             for _, line in ipairs(CARRIERS.beacon_lines) do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
@@ -4160,9 +4161,8 @@ do
             local text, number = tvb:raw(), pinfo.number
             brick = nil
             local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
-            local said
+            local said, port
             if is_beacon(tvb, text, is_forced) then
-                local port
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
@@ -4244,7 +4244,7 @@ do
 
     function ev3.init()
         dialogues.forget()
-        first_cut = math.huge
+        first_cut, streaming.sure_places = math.huge, {}
         for _, carrier in ipairs(carriers) do
             if carrier.forget then carrier.forget() end
         end
@@ -4273,4 +4273,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 991104d9db8565a3
+-- Checksum of the lines above, by which a changed file is recognised: 71ab3c912afd095c

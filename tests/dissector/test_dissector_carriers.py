@@ -263,6 +263,53 @@ def test_texts_are_cut_anywhere(ask: Ask) -> None:
     assert ask(capture, "ev3.expert.no_boundary") == []
 
 
+NAMED = "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX"
+
+
+@pytest.mark.parametrize("words", [(), ("-2",)])
+def test_plain_text_to_a_brick_is_named(ask: Ask, words: tuple[str, ...]) -> None:
+    """As Serial.println and App Inventor send it, after the text that unlocks the brick."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture, 10_000)
+    for piece in (
+        UNLOCKS[0],
+        b"forward",
+        b"forward\r\n",
+        b"stop\0",
+        voltage(1),
+        b"turn left" + voltage(2),
+        b"\xc3\xa9\xc3\xa9",
+    ):
+        connection.send(piece)
+    found = ask(capture, "ev3", "_ws.col.Info", words=words)
+    assert found[1:4] == ["text, not a frame: forward"] * 2 + ["text, not a frame: stop"]
+    assert found[4].startswith("UI_READ.GET_VBATT")
+    assert found[5].startswith("text, not a frame: turn left; UI_READ.GET_VBATT")
+    assert found[6] == "no frame (4 bytes)"
+    assert ask(capture, f'_ws.expert.message == "{NAMED}"', words=words) == ["2", "3", "4", "6"]
+
+
+def test_plain_text_is_named_only_where_a_brick_is_sure(ask: Ask) -> None:
+    """Port 5555 alone is not enough: there a reply has proved the brick."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(voltage(1))
+    connection.receive(volts(1))
+    connection.send(b"forward")
+    assert ask(capture, "ev3", "_ws.col.Info")[2] == "no frame (7 bytes)"
+    chosen = ask(capture, "ev3", "_ws.col.Info", words=("-o", "ev3.tcp_ports:5555"))
+    assert chosen[2] == "text, not a frame: forward"
+
+
+def test_plain_text_over_a_channel_that_the_user_chose(ask: Ask) -> None:
+    capture, port = rfcomm(5)
+    for piece in (b"forward", b"backward\n", voltage(1)):
+        port.send(piece)
+    found = ask(capture, "ev3", "_ws.col.Info", words=("-d", "btrfcomm.dlci==10,ev3_all"))
+    assert found[:2] == ["text, not a frame: forward", "text, not a frame: backward"]
+    assert found[2].startswith("UI_READ.GET_VBATT")
+
+
 def test_a_command_captured_after_its_reply_is_a_message_of_its_own(ask: Ask) -> None:
     """As on two interfaces. TCP needs the order for this: Wireshark takes acknowledged data for repeated."""
     device, port = Device(Capture(USBMON)), SerialPort(Capture(HCI_WITH_DIRECTION))

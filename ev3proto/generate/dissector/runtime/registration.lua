@@ -27,7 +27,7 @@ do
 
     function ev3.init()
         dialogues.forget()
-        first_cut = math.huge
+        first_cut, streaming.sure_places = math.huge, {}
         for _, carrier in ipairs(carriers) do
             if carrier.forget then carrier.forget() end
         end

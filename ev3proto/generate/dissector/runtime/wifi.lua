@@ -194,10 +194,7 @@ do
 
     -- Names a connection after its brick, to which a packet goes or from which it comes.
     local function name_brick(conversation, pinfo, to_brick)
-        local address, port = pinfo.src, pinfo.src_port
-        if to_brick then
-            address, port = pinfo.dst, pinfo.dst_port
-        end
+        local address, port = to_brick and pinfo.dst or pinfo.src, to_brick and pinfo.dst_port or pinfo.src_port
         conversation.name = plain_address(address) .. ":" .. port
         conversation.address, conversation.port = address, port
     end
@@ -349,8 +346,7 @@ do
 
         local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
-            local at, values = 0, {}
-            local port
+            local at, values, port = 0, {}, nil
             for _, line in ipairs(CARRIERS.beacon_lines) do
                 local head = line.label .. ": "
                 local stop = find(text, "\r\n", at + 1, true)
@@ -391,9 +387,8 @@ do
             local text, number = tvb:raw(), pinfo.number
             brick = nil
             local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
-            local said
+            local said, port
             if is_beacon(tvb, text, is_forced) then
-                local port
                 said, port = dissect_beacon(tvb, text, tree, pinfo)
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else

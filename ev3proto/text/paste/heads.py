@@ -7,7 +7,7 @@ frame decides.
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from ev3proto.schema.header import HEADER_SIZE
@@ -79,8 +79,9 @@ class Head(NamedTuple):
 NO_HEAD = Head()
 
 
+@lru_cache(64)
 def head_of(text: str) -> Head:
-    """Returns what a text in front of bytes says."""
+    """Returns what a text in front of bytes says; it is asked several times for those that are nearly a frame."""
     if not text.strip():
         return NO_HEAD
     patterns = _patterns()

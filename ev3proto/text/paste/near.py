@@ -289,7 +289,7 @@ def _partial(token: Token) -> _Slip:
 
 def told(row: Row) -> str | None:
     """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
-    values = Values(row.tokens)
+    values = row.sequences[-1]
     part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
     if part is None or part.last < len(values.tokens) or part.first or row.after.strip(AROUND):
         return None

@@ -114,7 +114,11 @@ class TextReader:
         """Returns the problem for a piece of text that is not a complete frame."""
         given = self._given
         if given.word is None or (pasted.data and not problem.startswith(_AT_START)):
-            return Problem(place, Code.TEXT, problem)
+            if pasted.slip is None:
+                return Problem(place, Code.TEXT, problem)
+            line, column = pasted.slip
+            place = place._replace(line=line if line > 1 or given.word is None else None, column=column)
+            return Problem(place, Code.TEXT, pasted.reason or problem)
         if not pasted.data and given.looks_like_a_path:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)
         rest = problem.removeprefix(_AT_START)

@@ -100,7 +100,7 @@ OF_THE_INPUT = {
     "send virtual missing.log": "missing.log: cannot be read: No such file or directory",
     "stats missing.pcap": "missing.pcap: cannot be read: No such file or directory",
     "decode zz": "'zz' is neither a file nor a frame: 'zz' is not hex",
-    "decode 06:00:2A:00:80:00:00:G1": "'06:00:2A:00:80:00:00:G1': column 22: 'G1' is not hex",
+    "decode 06:00:2A:00:80:00:00:G1": "'06:00:2A:00:80:00:00:G1', column 22: 'G1' is not hex",
     "decode 0600a": "'0600a' has an odd number of hex digits (5); two make a byte",
     f"decode {TONE}": f"'{TONE}' is assembly, not a frame; `ev3proto encode` makes frames of it",
     "encode LIST_FILES@(path='/x')": "\"LIST_FILES@(path='/x')\" is neither a file nor assembly nor a frame:"

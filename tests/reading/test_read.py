@@ -129,8 +129,8 @@ def test_problems_have_a_place_and_a_code(tmp_path: Path) -> None:
     log = tmp_path / "robot.log"
     log.write_text("sent 08 00 2a 00 00 04 00 81 01 6G\n")
     wrong = next(item for item in ev3proto.read(log) if isinstance(item, ev3proto.Problem))
-    assert (wrong.code, wrong.severity, wrong.place.line) == (Code.TEXT, "error", 1)
-    assert str(wrong) == f"{log}, line 1: {wrong.message}"
+    assert (wrong.code, wrong.severity, wrong.place.line, wrong.place.column) == (Code.TEXT, "error", 1, 33)
+    assert str(wrong) == f"{log}, line 1, column 33: {wrong.message}"
     assert str(problem("zz")) == "'zz' is neither a file nor a frame: 'zz' is not hex"
 
 
@@ -204,3 +204,18 @@ def test_a_record_as_other_tools_get_it() -> None:
     )
     entry = records(CAPTURES / "usb-plugged.pcap")[1].as_dict()
     assert (entry["packets"], entry["carrier"], entry["answers"]) == ([3], "usb", 1)
+
+
+def test_a_slip_has_its_line_and_column() -> None:
+    (problem, record) = ev3proto.read(["a log\n", "Sent 0x|08:00|2A:00|00|01:00|81|12:6G|\n"])
+    assert isinstance(problem, ev3proto.Problem)
+    assert (problem.place.line, problem.place.column) == (2, 36)
+    assert problem.message == "'6G' is not hex"
+    assert isinstance(record, ev3proto.Record)
+
+
+def test_a_slip_in_a_dump_has_the_line_of_its_row() -> None:
+    problem, *_ = ev3proto.read(["a log\n", "0000  0e 00 2a 00 80 00 00\n", "0007  94 0g 01\n"])
+    assert isinstance(problem, ev3proto.Problem)
+    assert (problem.place.line, problem.place.column) == (3, 10)
+    assert str(problem).endswith("line 3, column 10: '0g' is not hex")

@@ -16,7 +16,7 @@ from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, has_place, is_prose, is_wrong_frame, may_begin
 from ev3proto.text.paste.heads import head_of, is_head
-from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, short
+from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, Slip, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
 from ev3proto.text.paste.sequences import Part, Values, best, within
 from ev3proto.text.paste.strangers import strange_bytes
@@ -61,6 +61,7 @@ class Near(NamedTuple):
     problem: str | None = None
     cut: bool = False
     notes: tuple[str, ...] = ()
+    slip: Slip | None = None
 
 
 def near(sequences: Iterable[Values], rows: Sequence[Row]) -> Near | None:
@@ -88,7 +89,15 @@ def _scanned(row: Row) -> Near | None:
         if token.end > slip.start()
     )
     end = next(known, frame.end)
-    return Near(part.data[frame.start : end], meant.values, part, frame.start, max(end, frame.start + 1), problem)
+    return Near(
+        part.data[frame.start : end],
+        meant.values,
+        part,
+        frame.start,
+        max(end, frame.start + 1),
+        problem,
+        slip=Slip(row.number, slip.start() + 1),
+    )
 
 
 def _corrected(found: re.Match[str]) -> str:
@@ -192,7 +201,9 @@ def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
         if word is not None and BYTES["hex"][word[1]] is None and rows[0].tokens:
             first = rows[0].tokens[0]
             problem = f"column {at + 1}: {not_a_byte(word[1])}"
-            yield Near(b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem)
+            yield Near(
+                b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem, slip=Slip(rows[0].number, at + 1)
+            )
         assert lesson
 
 
@@ -241,14 +252,17 @@ def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     if word is None or not _is_slip(word[1], last.text) or (follows is not None and follows.start <= word.start(1)):
         return found
     problem = not_a_byte(word[1], is_hex=last.kind == "digits")
-    return found._replace(problem=f"{_where(last, rows)}column {word.start(1) + 1}: {problem}")
+    slip = Slip(last.line, word.start(1) + 1)
+    return found._replace(problem=f"{_where(last, rows)}column {slip.column}: {problem}", slip=slip)
 
 
 def _stopped(found: Near, token: Token, rows: Sequence[Row]) -> Near:
     """Returns bytes that end in a value with a slip."""
     slip = _partial(token)
-    problem = None if slip.is_cut else f"{_where(token, rows)}column {slip.column + 1}: {slip.problem}"
-    return found._replace(problem=problem, cut=slip.is_cut)
+    if slip.is_cut:
+        return found._replace(problem=None, cut=True)
+    problem = f"{_where(token, rows)}column {slip.column + 1}: {slip.problem}"
+    return found._replace(problem=problem, slip=Slip(token.line, slip.column + 1))
 
 
 def _where(token: Token, rows: Sequence[Row]) -> str:
@@ -261,7 +275,7 @@ def _is_slip(word: str, value: str) -> bool:
     return (len(word) == len(value) or word[:2] in ("0x", "\\x")) and BYTES["hex"][word] is None
 
 
-class _Slip(NamedTuple):
+class _Partial(NamedTuple):
     """A slip in a value: the bytes in front of it, its column (from 0), what it is; or that the value is cut there."""
 
     data: bytes
@@ -270,21 +284,21 @@ class _Slip(NamedTuple):
     is_cut: bool = False
 
 
-def _partial(token: Token) -> _Slip:
+def _partial(token: Token) -> _Partial:
     """Returns the slip in a value that has no bytes."""
     text = token.text
     if token.kind == "open":
         is_cut = text.rstrip().endswith(("...", "\u2026"))
         body = text.rstrip(". \u2026") if is_cut else text
         data = string_bytes(body[1 + (body[0] == "b") :], "hex") or b""
-        return _Slip(data, token.start, "the string that starts here never ends", is_cut)
+        return _Partial(data, token.start, "the string that starts here never ends", is_cut)
     if slip := MISSPELT.search(text):
         at = slip.start("escape")
         quote = next((place for place, sign in enumerate(text[:at]) if sign in "\"'`"), -1)
         data = string_bytes(text[quote + 1 : at], "hex") or b""
-        return _Slip(data, token.start + at, not_a_byte(slip["escape"]))
+        return _Partial(data, token.start + at, not_a_byte(slip["escape"]))
     is_odd = _is_hex(text) and len(text) > 4 and len(text) % 2 == 1
-    return _Slip(bytes.fromhex(text[:-1]) if is_odd else b"", token.start, not_a_byte(text))
+    return _Partial(bytes.fromhex(text[:-1]) if is_odd else b"", token.start, not_a_byte(text))
 
 
 def told(row: Row) -> str | None:
@@ -357,14 +371,17 @@ def as_given(line: str) -> Pasted:
             if part.first or (before.strip(AROUND + "x0b") and not is_head(before)):
                 continue
             found = _with_stop(Near(part.data, values, part, 0, len(part.data)), base, [row])
-            return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem)
+            return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem, slip=found.slip)
     if row.tokens and row.is_bare:
-        slip = _partial(row.tokens[0])
-        return Pasted(b"", 1, shown, problem=f"column {slip.column + 1}: {slip.problem}")
+        begun = _partial(row.tokens[0])
+        slip = Slip(1, begun.column + 1)
+        return Pasted(b"", 1, shown, problem=f"column {slip.column}: {begun.problem}", slip=slip)
     if not line.strip():
         return Pasted(b"", 1, "", problem="it is empty")
     word = line.split()[0].rstrip("\"'`)]}>;,")
+    slip = Slip(1, 1)
     problem = f"column 1: {short(word)!r} is not hex" if word.strip("-") else "column 1: it contains no readable bytes"
     if len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
-        problem = f"column {strange.start() + 1}: {strange[0]!r} is not a hex digit"
-    return Pasted(b"", 1, shown, problem=problem)
+        slip = Slip(1, strange.start() + 1)
+        problem = f"column {slip.column}: {strange[0]!r} is not a hex digit"
+    return Pasted(b"", 1, shown, problem=problem, slip=slip)

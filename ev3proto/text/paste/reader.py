@@ -274,7 +274,9 @@ class Reader:
         if one is not None:
             one = _without_sum(one, self._check_sum())
             piece = self._piece(one.values, one.part, one.start, one.end, lines, above)
-            found.append(piece._replace(cut=one.cut, problem=one.problem, notes=one.notes, data=one.data))
+            found.append(
+                piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=one.data)
+            )
         yield from _once(found, rows[0].line) if len(found) > 1 and len(rows) == 1 else found
         self._has_frame = bool(found)
         if not found:

@@ -365,17 +365,17 @@ def _extents(reading: Reading, part: Part, check_sum: bytes) -> Iterator[tuple[i
     breaks = (
         reading.values.edges(part).breaks if data[part.frames[-1].end :].strip(b"\0") or len(part.frames) > 1 else []
     )
+    starts = reading.values.row_offsets(part)
     for number, frame in enumerate(part.frames):
         if is_wrong_frame(data[at : frame.start], is_alone=number > 0):
             yield at, frame.start
         follows = part.frames[number + 1].start if number + 1 < len(part.frames) else len(data)
         at = frame.end
         if frame.is_natural and not is_wrong_frame(data[at:follows], is_alone=number + 1 < len(part.frames)):
-            at = next((end for end in breaks if frame.end <= end < follows), follows)
+            at = min([*breaks[(place := bisect_left(breaks, frame.end)) : place + 1], follows])
             is_padding = reading.base == "words" and not any(data[frame.end : at])
             is_sum = data[frame.end : at] == check_sum or is_carried(data, frame.start, frame.end)
             at = frame.end if is_padding or is_sum else at
-            starts = reading.values.row_offsets(part)
             at = frame.end if frame.end in starts else at
         yield frame.start, at
     if is_wrong_frame(data[at:], is_alone=False):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack, closing, suppress
+from contextlib import closing, suppress
 from dataclasses import replace
 from pathlib import Path
+from threading import Event
 from typing import BinaryIO, cast
 
 import click
@@ -15,7 +16,7 @@ from ev3proto.cli.output import Failure, complain, failing_on, failing_to, say
 from ev3proto.cli.targets import TargetType
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire, open_wire
-from ev3proto.link.errors import LinkError
+from ev3proto.link.errors import ConnectionLostError, LinkError
 from ev3proto.link.proxy import Proxy, ProxyOptions
 from ev3proto.link.serial_number import announced_number
 from ev3proto.link.targets import Target
@@ -29,6 +30,9 @@ _ETHERNET = 1
 """The link type of recordings, as libpcap numbers it."""
 
 _LOOPBACK = "127.0.0.1"
+
+_RETRY = 1.0
+"""Seconds between attempts to connect to a brick that vanished."""
 
 _CONFIGURATION = (
     "arg {number=0}{call=--target}{display=Brick}{type=string}{default=usb}{required=true}"
@@ -115,31 +119,54 @@ def extcap(
 
 
 def _capture(fifo: Path, target: Target, options: ProxyOptions) -> None:
-    """Runs the proxy until Wireshark ends it or stops reading."""
-    with ExitStack() as stack:
-        with failing_to("written", fifo):
-            pipe = _Pipe(_opened(fifo))
-        wire = stack.enter_context(closing(_wire_to(target)))
-        with failing_on(LinkError):
-            options = replace(options, announced=announced_number(target, wire))
-        with failing_to("written", fifo):
-            recording = Recording(cast(BinaryIO, pipe))
-            recording.flush()
-        with failing_on(LinkError):
-            proxy = Proxy(
-                wire,
-                str(target),
-                options,
-                show=lambda _pair: None,
-                say=complain,
-                recording=recording,
-                reopen=lambda: open_wire(target),
-            )
-        pipe.proxy = proxy
-        with stopped_by_signals(proxy.stop):
-            proxy.serve()
-    if proxy.lost is not None:
-        raise Failure(str(proxy.lost))
+    """Runs the proxy until Wireshark ends it or stops reading. When the brick vanishes, waits until it is back."""
+    with failing_to("written", fifo):
+        pipe = _Pipe(_opened(fifo))
+    wire: Wire | None = _wire_to(target)
+    recording: Recording | None = None
+    while wire is not None:
+        with closing(wire):
+            if recording is None:
+                with failing_on(LinkError):
+                    options = replace(options, announced=announced_number(target, wire))
+                with failing_to("written", fifo):
+                    recording = Recording(cast(BinaryIO, pipe))
+                    recording.flush()
+            lost = _serve(wire, target, options, recording, pipe)
+        if lost is None:
+            return
+        complain(f"{lost}; waiting for the brick, then listening again")
+        wire = _wire_again(target)
+
+
+def _serve(
+    wire: Wire, target: Target, options: ProxyOptions, recording: Recording, pipe: _Pipe
+) -> ConnectionLostError | None:
+    """Runs the proxy. Returns why the connection to the brick was lost, None if the capture is over."""
+    with failing_on(LinkError):
+        proxy = Proxy(
+            wire,
+            str(target),
+            options,
+            show=lambda _pair: None,
+            say=complain,
+            recording=recording,
+            reopen=lambda: open_wire(target),
+        )
+    pipe.proxy = proxy
+    with stopped_by_signals(proxy.stop):
+        proxy.serve()
+    return proxy.lost
+
+
+def _wire_again(target: Target) -> Wire | None:
+    """Connects to a brick that vanished, as soon as it is back. Returns None if the capture ends before."""
+    over = Event()
+    with stopped_by_signals(over.set):
+        while not over.wait(_RETRY):
+            with suppress(LinkError, OSError):
+                return open_wire(target)
+    return None
 
 
 def _wire_to(target: Target) -> Wire:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text as run
 from support.server import Client, command, free_port
+from support.stub_brick import HangUp, reply, stub_brick
 
 from ev3proto.capture import Record, read
 from ev3proto.cli import extcap
@@ -108,3 +110,42 @@ def test_tshark_captures_through_the_proxy(tmp_path: Path) -> None:
         _, said = tshark.communicate(timeout=30)
     first = next(event for event in read(path) if isinstance(event, Record))
     assert first.message.build() == TONE, said
+
+
+def test_the_capture_goes_on_when_the_brick_vanishes(tmp_path: Path) -> None:
+    """It shows the brick's end, and listens again at the same port when the brick is back."""
+    environment = {**os.environ, "HOME": str(tmp_path)}
+    run("dissector", "install", env=environment)
+    path = tmp_path / "talk.pcapng"
+
+    def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
+        if frame == TONE:
+            raise HangUp
+        send(reply(frame, b"\x64"))
+
+    with stub_brick(answer) as brick:
+        port = free_port()
+        settings = [f"extcap.ev3proxy.target:wifi:127.0.0.1:{brick}", "-o", f"extcap.ev3proxy.port:{port}"]
+        words = ["-i", "ev3proxy", "-o", *settings, "-w", str(path), "-q"]
+        tshark = subprocess.Popen(["tshark", *words], env=environment, stderr=subprocess.PIPE, text=True)
+        try:
+            with connected(port) as client:
+                client.send(TONE)
+                with pytest.raises(ConnectionError):
+                    client.reply()
+            with connected(port) as client:
+                assert client.ask(VOLUME) == bytes.fromhex("040001000264")
+            end = time.monotonic() + 30
+            while VOLUME not in path.read_bytes():
+                assert time.monotonic() < end
+                time.sleep(0.1)
+        finally:
+            tshark.terminate()
+            _, said = tshark.communicate(timeout=30)
+    words = ["-r", str(path), "-Y", "tcp.flags.fin == 1 || tcp.len > 0", "-T", "fields"]
+    words += [word for name in ("tcp.stream", "tcp.flags.fin", "tcp.payload") for word in ("-e", name)]
+    shown = subprocess.run(["tshark", *words], capture_output=True, text=True, check=True).stdout.splitlines()
+    sent = shown.index(f"0\t0\t{TONE.hex()}")
+    assert shown[sent + 1].startswith("0\t1"), said
+    assert f"1\t0\t{VOLUME.hex()}" in shown[sent + 2 :], said
+    assert "waiting for the brick, then listening again" in said

@@ -116,7 +116,13 @@ def codes_of(declaration: Declaration) -> Iterator[list[bytes]]:
 
 def system_frame(entry: SystemDeclaration, path: str) -> bytes:
     """Returns the frame of a system command with the greatest numbers, and a path."""
-    greatest = {Kind.U8: 255, Kind.U16: 65535, Kind.U32: 2**32 - 1, Kind.TEXT: path, Kind.COUNTED_TEXT: "n" * 200}
+    greatest: dict[Kind, int | str] = {
+        Kind.U8: 255,
+        Kind.U16: 65535,
+        Kind.U32: 2**32 - 1,
+        Kind.TEXT: path,
+        Kind.COUNTED_TEXT: "n" * 200,
+    }
     sizes = {255: 1, 65535: 2, 2**32 - 1: 4}
     body = bytes((1, 0, 1, entry.number))
     for field in entry.request:

@@ -20,7 +20,7 @@ from ev3proto.messages import (
 from ev3proto.semantics.replies import guesses
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.system import status_meaning
-from ev3proto.text.phrases import Seen
+from ev3proto.text.phrases import Seen, lacks_status
 
 
 def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
@@ -79,7 +79,7 @@ def _contents(message: Message) -> dict[str, Any]:
                 "command": message.command,
                 "number": message.number,
                 "status": "error" if message.is_error else "ok",
-                "status_name": message.status.name if message.status is not None else None,
+                "status_name": None if lacks_status(message) or message.status is None else message.status.name,
                 "status_code": message.status_code,
                 "status_meaning": status_meaning(message.number, message.status_code),
                 "fields": _fields(message),

@@ -493,7 +493,7 @@ def test_a_channel_that_begins_with_another_firmwares_operation(tshark: Tshark) 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None:
     # On RFCOMM, gaps between packets are not marked: a faulty frame that comes in several packets is doubted,
-    # as almost all such frames are two whose middle is missing. About one in thirty mutated frames is lost in this way.
+    # as almost all such frames are two whose middle is missing. About one in twenty mutated frames is lost in this way.
     capture = Capture(RAW_IP if carrier == "tcp" else HCI_WITH_DIRECTION)
     stream = Connection(capture) if carrier == "tcp" else SerialPort(capture)
     rng = random.Random(44)
@@ -511,7 +511,7 @@ def test_few_are_hidden_where_they_are_cut(tshark: Tshark, carrier: str) -> None
     found = [number for numbers in counters(tshark, capture) for number in numbers]
     hidden = Counter(expected) - Counter(found)
     invented = Counter(found) - Counter(expected)
-    most_hidden = 0.003 if carrier == "tcp" else 0.015
+    most_hidden = 0.003 if carrier == "tcp" else 0.025
     assert hidden.total() <= most_hidden * len(expected)
     assert invented.total() <= 0.001 * len(expected)
 

@@ -22,7 +22,7 @@ def frame(counter: int, kind: str, body: str) -> bytes:
 
 def command(counter: int, what: str) -> bytes:
     """Asks for a reading, then plays a tone: all of these commands are different."""
-    tone = "94 01 05 82" + struct.pack("<h", counter).hex() + "8164"
+    tone = "94 01 05 82" + struct.pack("<h", 250 + counter).hex() + "8164"
     return frame(counter, "00", f"0400 81 {READINGS[what][0]} 60" + tone)
 
 

@@ -317,7 +317,7 @@ def test_the_preferences_of_the_profile(with_profile: Home) -> None:
     columns = re.search(r"^gui\.column\.format: ?\n((?:\t.*\n)+)", done.stdout, re.MULTILINE)
     assert columns
     pairs = re.findall(r'"(.*?)", "(.*?)"', columns[1])
-    assert [profile.Column(*pair) for pair in pairs] == list(profile.COLUMNS)
+    assert pairs == [(column.title, column.format) for column in profile.COLUMNS]
 
 
 def test_the_colours_of_the_profile(with_profile: Home) -> None:

@@ -44,9 +44,9 @@ def test_output_is_the_same_without_summaries(tmp_path: Path) -> None:
     assert text.count(LOOKUP) == 1
     without = tmp_path / "without.lua"
     without.write_text(text.replace(LOOKUP, ""))
-    # Forgotten after each eighth command, too.
+    # Forgotten after every few commands, too.
     few = tmp_path / "few.lua"
-    few.write_text(text.replace("MOST_SUMMARIES = 1024", "MOST_SUMMARIES = 8"))
+    few.write_text(text.replace("MOST_BYTES = 64 * 1024", "MOST_BYTES = 64"))
     assert few.read_text() != text
     shown = []
     for script in (DISSECTOR, without, few):

@@ -140,7 +140,7 @@ def test_a_filter_selects_frames(tmp_path: Path) -> None:
     [
         ("hello", "'hello' is neither a file nor a frame: 'hello' is not hex"),
         (TONE[:-2], f"'{TONE[:-2]}': it cannot be carried: its length field says that 14 bytes follow, but 13 do"),
-        (TONE + "00 01", f"'{TONE}00 01': it cannot be carried: its length field says that 14 bytes follow, but 16 do"),
+        (TONE + "0001", f"'{TONE}0001': it cannot be carried: its length field says that 14 bytes follow, but 16 do"),
     ],
 )
 def test_frames_that_a_carrier_cannot_carry(given: str, sentence: str, tmp_path: Path) -> None:

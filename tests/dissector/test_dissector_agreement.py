@@ -354,8 +354,8 @@ class Conversation:
 def agree(tshark: Tshark, dialect: str, drawn_frames: Iterable[bytes], *words: str) -> None:
     """Puts frames into their own connection, and compares what is shown of them and of their replies.
 
-    It begins with a tone: not every frame claims a connection. The seed decides where frames are split. With seed 1, a
-    frame whose first 66 bytes look like another is read later by the dissector than by the codec, which is not mended yet.
+    It begins with a tone: not every frame claims a connection. The seed decides where frames are split. With seed 1,
+    the first 66 bytes of a frame look like another to the dissector, but not to the codec, which is not mended yet.
     """
     conversation = Conversation(dialect, seed=2)
     conversation.say([TONE, *drawn_frames])

@@ -39,7 +39,12 @@ def test_types_fit(folder: Path, project: str) -> None:
 
 def test_what_needs_no_browser(folder: Path) -> None:
     tests = sorted(str(file) for file in Path(__file__).parent.glob("playground_*.test.mjs"))
-    environment = {"PLAYGROUND": str(folder), "PATH": "/usr/bin:/bin:/usr/local/bin"}
+    streams = Path(__file__).parents[1] / "support" / "deflate_raw.cjs"
+    environment = {
+        "PLAYGROUND": str(folder),
+        "PATH": "/usr/bin:/bin:/usr/local/bin",
+        "NODE_OPTIONS": f"--require={streams}",
+    }
     done = subprocess.run(["node", "--test", *tests], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
     assert "# fail 0" in done.stdout

@@ -278,7 +278,8 @@ def test_the_program_for_pyshark_prints_what_is_in_packets(tshark: Tshark) -> No
     program = program.replace("parameters()", f'parameters(tshark="{tshark.path}")')
     # A tshark with a root of its own sees the dissector in its work folder only.
     done = run_program(sys.executable, "-c", program, env={"TMPDIR": str(tshark.folder)})
-    assert (done.returncode, done.stderr) == (0, "")
+    # Standard error may speak of a tshark that pyshark killed while it was ending by itself.
+    assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert lines[0].startswith("1 DirectCommand(DIRECT_COMMAND_REPLY, counter=1000")
     assert lines[1].startswith("3 DirectReply(DIRECT_REPLY, counter=1000")

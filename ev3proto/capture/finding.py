@@ -14,7 +14,7 @@ from itertools import islice
 from ev3proto.capture.evidence import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import polls_end
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, may_have_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_end, frame_size, may_have_length, may_start
 from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
@@ -73,13 +73,6 @@ class Finder:
     def __init__(self, schema: FrameReader) -> None:
         self._schema = schema
 
-    def may_start(self, buffer: bytes, at: int) -> bool:
-        """Returns whether a frame may start here, as far as its header is there."""
-        left = len(buffer) - at
-        if left < LENGTH_FIELD:
-            return True
-        return may_have_length(buffer, at) and (left < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] in MESSAGE_TYPES)
-
     def is_frame(self, buffer: bytes, at: int, end: int) -> bool:
         """Returns whether a valid frame is here that a program would send."""
         if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in MESSAGE_TYPES:
@@ -93,7 +86,7 @@ class Finder:
 
     def may_become(self, buffer: bytes, at: int) -> bool:
         """Returns whether an incomplete frame may become a valid one."""
-        if not self.may_start(buffer, at):
+        if not may_start(buffer, at):
             return False
         size = len(buffer)
         if size - at <= HEADER_SIZE:
@@ -111,7 +104,7 @@ class Finder:
         size, count = len(buffer), 0
         while at < size and count < MOST_FOLLOWING:
             at = polls_end(buffer, at)
-            if not self.may_start(buffer, at):
+            if not may_start(buffer, at):
                 return None
             if size - at < HEADER_SIZE:
                 break
@@ -156,7 +149,7 @@ class Finder:
     ) -> Found:
         """Returns what is at one offset."""
         size, is_begin, code = len(buffer), at in begins, buffer[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
-        if not self.may_start(buffer, at) or (code and not accepts(MESSAGE_TYPES[code[0]])):
+        if not may_start(buffer, at) or (code and not accepts(MESSAGE_TYPES[code[0]])):
             return Found.NOTHING
         end = at + frame_size(buffer, at) if code else size + 1
         is_cut = missing > 0 and end == size + missing and size - at >= _LEAST
@@ -167,7 +160,7 @@ class Finder:
         if not is_whole:
             return Found.OPEN if (is_begin or anywhere) and self.may_become(buffer, at) else Found.NOTHING
         is_enough = end - at >= _LEAST and (anywhere or size - end >= LENGTH_FIELD)
-        if is_begin or (is_enough and self.may_start(buffer, end) and self.follow(buffer, end) is not None):
+        if is_begin or (is_enough and may_start(buffer, end) and self.follow(buffer, end) is not None):
             message = self._schema.read_frame(buffer[at:end], strict=False)
             if is_plausible(message, self._schema, is_cut=is_cut):
                 return Found.CHAIN
@@ -184,10 +177,7 @@ class Finder:
     def frames_of(self, buffer: bytes, at: int = 0, missing: int = 0) -> list[bytes]:
         """Returns the whole frames that follow each other from an offset on; the last one may be cut by the capture."""
         size, found = len(buffer), []
-        while size - at >= HEADER_SIZE and self.may_start(buffer, at):
-            end = at + frame_size(buffer, at)
-            if end > size and end != size + missing:
-                break
+        while (end := frame_end(buffer, at)) is not None and (end <= size or end == size + missing):
             found.append(buffer[at:end])
             at = end
         return found

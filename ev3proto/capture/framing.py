@@ -3,6 +3,10 @@
 Nothing in a stream marks the start of a frame: each starts where the last one ended. If that chain breaks (the capture
 begins in the middle, bytes were not captured, a length is impossible), the stream is out of step: the next whole valid
 frame has to be found.
+
+`FrameBuffer` keeps the bytes and says where a frame ends (`look`). Its `next` has nothing to judge by but a header; a
+capture has more: the packets (a gap can only be between two of them), the texts before the first frame, and the bytes
+after a frame, which confirm it. So `Cutter` decides which bytes are a frame.
 """
 
 from __future__ import annotations
@@ -16,7 +20,7 @@ from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
-from ev3proto.schema.header import HEADER_SIZE, frame_size, impossible_length, may_have_length
+from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossible_length, may_have_length, may_start
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -140,7 +144,7 @@ class Cutter:
 
     def begins_with_text(self, data: bytes) -> bool | None:
         """Returns whether data begin with a text; None if more bytes are needed to tell."""
-        text = None if data[0] not in _TEXT_STARTS or self._finder.may_start(data, 0) else self._text_at(data, 0)
+        text = None if data[0] not in _TEXT_STARTS or may_start(data, 0) else self._text_at(data, 0)
         if text is None:
             return False
         return True if text[1] <= len(data) else None
@@ -289,10 +293,8 @@ class Cutter:
     def _ends_with_frame(self) -> bool:
         """Returns whether the newest packet is exactly one valid frame: the stream continues there."""
         buffer, start = self._buffer.pending, self._marks[-1][0]
-        if len(buffer) - start < HEADER_SIZE:
-            return False
-        end = start + frame_size(buffer, start)
-        return self._is_newest_packet(start, end) and self._finder.is_frame(buffer, start, end)
+        end = frame_end(buffer, start)
+        return end == len(buffer) and self._finder.is_frame(buffer, start, end)
 
     def _piece(self, kind: PartKind, at: int, end: int, reason: str = "") -> StreamPart:
         numbers = tuple(dict.fromkeys(number for start, number, stop in self._spans() if start < end and stop > at))
@@ -371,7 +373,7 @@ class Cutter:
                 found, place = Found.CHAIN, hit
         if found is Found.NOTHING:
             places = range(max(at, len(buffer) - HEADER_SIZE + 1), latest + 1)
-            place = next((place for place in places if self._finder.may_start(buffer, place)), len(buffer))
+            place = next((place for place in places if may_start(buffer, place)), len(buffer))
             if at < place < len(buffer) and not self._passed:
                 self._passed, place = place - at, at
                 return place, True
@@ -396,7 +398,7 @@ class Cutter:
             rest = self._rest_of_text(buffer, at)
             if rest is not None:
                 return rest
-        if buffer[at] not in _TEXT_STARTS or self._finder.may_start(buffer, at):
+        if buffer[at] not in _TEXT_STARTS or may_start(buffer, at):
             return None
         return self._text_at(buffer, at)
 
@@ -445,13 +447,11 @@ class Cutter:
 
     def _is_frame_rather(self, buffer: bytes, at: int) -> bool:
         """Returns whether a byte that may end a text is more likely the start of a frame."""
-        if len(buffer) - at < LENGTH_FIELD or not self._finder.may_start(buffer, at):
+        if len(buffer) - at < LENGTH_FIELD or not may_start(buffer, at):
             return False
         return not self._is_whole_frame(buffer, at + 1)
 
     def _is_whole_frame(self, buffer: bytes, at: int) -> bool:
         """Returns whether a whole valid frame is at an offset."""
-        if len(buffer) - at < HEADER_SIZE or not self._finder.may_start(buffer, at):
-            return False
-        end = at + frame_size(buffer, at)
-        return end <= len(buffer) and self._finder.is_frame(buffer, at, end)
+        end = frame_end(buffer, at)
+        return end is not None and end <= len(buffer) and self._finder.is_frame(buffer, at, end)

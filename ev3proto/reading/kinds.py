@@ -13,9 +13,8 @@ from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ev3proto.schema.header import HEADER_SIZE, may_have_length
+from ev3proto.schema.header import HEADER_SIZE, frame_end
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import MESSAGE_TYPES
 from ev3proto.tables.program import SIGN
 from ev3proto.text.paste import MAX_LINE, Pasted
 from ev3proto.text.splitting import frame_ends, split
@@ -217,7 +216,7 @@ MOST_RAW = 1 << 26
 def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
     """Reads the bytes of frames that follow one another; None if the stream starts with something else."""
     start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
-    if len(start) < HEADER_SIZE or not may_have_length(start) or start[-1] not in MESSAGE_TYPES:
+    if frame_end(start) is None:
         return None
     data = stream.read(MOST_RAW + 1)
     ends = frame_ends(data)

@@ -20,6 +20,7 @@ from ev3proto.tables.frame import (
     MAX_LENGTH,
     MAX_LOCALS,
     MAX_LONG_FRAME,
+    MESSAGE_TYPES,
     MIN_LENGTH,
     SYSTEM_COMMAND_TYPES,
 )
@@ -104,6 +105,22 @@ def may_have_length(data: bytes | bytearray, at: int = 0) -> bool:
     """Returns whether the length field at an offset can be a frame's; True if more bytes are needed to decide."""
     size = frame_size(data, at)
     return is_frame_size(size) or (size > MAX_FRAME and may_be_long(data, at) is not False)
+
+
+def may_start(data: bytes | bytearray, at: int = 0) -> bool:
+    """Returns whether a message of a known type may start at an offset, as far as its header is there."""
+    left = len(data) - at
+    if left < LENGTH_FIELD:
+        return True
+    return may_have_length(data, at) and (left < HEADER_SIZE or data[at + HEADER_SIZE - 1] in MESSAGE_TYPES)
+
+
+def frame_end(data: bytes | bytearray, at: int = 0) -> int | None:
+    """Returns the offset after the frame with the header at an offset; None without a whole header of a known type.
+
+    The frame may end after the data.
+    """
+    return at + frame_size(data, at) if len(data) - at >= HEADER_SIZE and may_start(data, at) else None
 
 
 def may_be_long(data: bytes | bytearray, at: int = 0) -> bool | None:

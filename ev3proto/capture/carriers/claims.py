@@ -10,7 +10,7 @@ from ev3proto.capture.claims import Claim, State
 from ev3proto.capture.finding import Accepts, Found
 from ev3proto.capture.framing import MARK_SIZE
 from ev3proto.capture.record import Direction, Event, Record, Skipped
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import HEADER_SIZE, may_start
 from ev3proto.tables.discovery import UNLOCK_REQUEST
 from ev3proto.tables.frame import MessageType
 
@@ -69,8 +69,7 @@ class StreamClaim(Claim):
             self._fresh.remove(side)
             stream.cutter.accepts = accepts = self._goes_out if side is self.to_brick else self._comes_back
             code = piece.data[HEADER_SIZE - 1 : HEADER_SIZE]
-            may_start = self._finder.may_start(piece.data, 0)
-            may_go = may_start and (not self._has_texts or not code or accepts(MessageType(code[0])))
+            may_go = may_start(piece.data) and (not self._has_texts or not code or accepts(MessageType(code[0])))
             stream.cutter.begin(in_step=may_go)
         return self._counted(stream, stream.feed(piece))
 

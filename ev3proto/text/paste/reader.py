@@ -12,8 +12,8 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import frame_size
-from ev3proto.text.paste.frames import has_head, is_carried, is_wrong_frame
+from ev3proto.schema.header import frame_end
+from ev3proto.text.paste.frames import is_carried, is_whole, is_wrong_frame
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
 from ev3proto.text.paste.near import Near, near, told
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, Unknown, check_text, short
@@ -72,7 +72,7 @@ class Block:
 
     def is_full(self) -> bool:
         """Returns whether the last row completed a frame, once."""
-        is_full = has_head(self.data) and frame_size(self.data) <= len(self.data) and not self.rows[-1].is_open
+        is_full = is_whole(self.data) and not self.rows[-1].is_open
         was_full, self._was_full = self._was_full, self._was_full or is_full
         return is_full and not was_full
 
@@ -114,11 +114,11 @@ class Block:
         if row.front(0) == self.rows[0].front(0) != self.rows[-1].front(0):
             return True
         size = len(self.data) + len(data)
-        is_needed = has_head(self.data) and size <= frame_size(self.data)
+        is_needed = size <= (frame_end(self.data) or 0)
         alone = best(row.sequences)
         if alone is not None and alone.worth.is_whole:
             return not is_needed or not row.is_bare or len(data) != size // (len(self.rows) + 1)
-        return not is_needed and has_head(data) and is_wrong_frame(data, is_alone=True)
+        return not is_needed and frame_end(data) is not None and is_wrong_frame(data, is_alone=True)
 
     @property
     def is_one(self) -> bool:
@@ -348,7 +348,7 @@ def _is_sound(reading: Reading) -> bool:
 def _is_long(block: Block) -> bool:
     """Returns whether a frame may begin in rows of which there are too many."""
     return any(
-        has_head(part.data) and frame_size(part.data) <= _MOST_MISSING * len(part.data)
+        0 < (frame_end(part.data) or 0) <= _MOST_MISSING * len(part.data)
         for values in of_rows(block.rows, block.places)
         for base in values.bases[:2]
         for part in values.parts(base)

@@ -67,8 +67,8 @@ class Place(NamedTuple):
     line    in a text, the first is 1
     column  in that line, the first is 1
     packet  number of the packet in a capture, the first is 1
-    frame   number of the frame that assembly makes, the first is 1
-    offset  in a file of bytes
+    frame   number of the frame that assembly makes, or in a file of bytes, the first is 1
+    offset  in that frame or that piece of a text, as the sentence about it says
     """
 
     name: str = ""
@@ -79,7 +79,7 @@ class Place(NamedTuple):
     offset: int | None = None
 
     def __str__(self) -> str:
-        counted = [f"{word} {number}" for word, number in zip(self._fields[1:], self[1:], strict=True) if number]
+        counted = [f"{word} {number}" for word, number in zip(self._fields[1:-1], self[1:-1], strict=True) if number]
         return ", ".join([self.name, *counted] if self.name else counted)
 
 

@@ -181,7 +181,7 @@ class Checking:
         facts: dict[str, Any] = {"source": where.name}
         if written is None:
             facts["packet"] = record.number
-        elif written.column is not None:
+        elif where.line is not None:
             facts |= {"line": where.line, "column": written.column}
         return FramePlace(str(where), facts, is_among=True)
 

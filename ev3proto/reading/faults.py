@@ -29,6 +29,7 @@ class Faults:
         message, place = record.message, record.place
         if message.fault is not None and not record.is_cut:
             meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
+            place = place._replace(offset=message.fault.offset)
             return Problem(place, Code.FAULT, f"fault at {message.fault}{''.join(meant)}")
         if not is_text:
             return None
@@ -41,7 +42,7 @@ class Faults:
         if never is None:
             return None
         said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
-        return Problem(place, Code.FAULT, f"{said}; `ev3proto check` says more")
+        return Problem(place._replace(offset=never.offset), Code.FAULT, f"{said}; `ev3proto check` says more")
 
     def _meant(self, message: Message) -> tuple[Suggestion, ...]:
         """Returns what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import re
 from collections.abc import Callable, Iterable
@@ -82,11 +81,17 @@ def given(source: Readable) -> Given:
         return given_file(Path(source))
     name = getattr(source, "name", None)
     label = visible(name) if isinstance(name, str) else "the input"
-    if isinstance(source, io.RawIOBase | io.BufferedIOBase):
+    if isinstance(getattr(source, "read", lambda _: None)(0), bytes):
         return Given(label, open=lambda: cast(BinaryIO, source), is_lent=True)
     if isinstance(source, Iterable):
-        return Given(label, lines=cast(Iterable[str], source))
+        return Given(label, lines=map(_line, source))
     raise TypeError(f"cannot read {type(source).__name__}; expected a path, text, bytes, lines or an open file")
+
+
+def _line(line: object) -> str:
+    if not isinstance(line, str):
+        raise TypeError(f"cannot read {type(line).__name__} as a line; give bytes as a source of their own")
+    return line
 
 
 def _given_text(text: str) -> Given:

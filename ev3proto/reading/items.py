@@ -81,7 +81,8 @@ class Problem(NamedTuple):
     excerpt: str = ""
 
     def __str__(self) -> str:
-        place = str(self.place)
+        # A sentence may begin with the quoted text that it is about.
+        place = "" if self.message.startswith(self.place.name) and self.place.name else str(self.place)
         return f"{place}: {self.message}" if place else self.message
 
     @classmethod

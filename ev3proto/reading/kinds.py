@@ -38,7 +38,7 @@ class Contents(NamedTuple):
 
     kind    its kind
     lines   of a text
-    frames  of a file of frames; their lines are their numbers
+    frames  of a file of frames; their numbers are in place of lines
     reason  why it cannot be read, for any other file
     """
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import zlib
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, BinaryIO
 
 from ev3proto.capture.byte_account import Account
@@ -198,12 +199,14 @@ class Part:
         elif found.kind is Kind.TEXT:
             yield from self._text(file, found)
         elif found.kind is Kind.FRAMES:
-            for pasted in found.frames:
-                yield from self._texts.pasted(pasted)
+            yield from chain.from_iterable(map(self._frame, found.frames))
         elif given.frame is not None:
-            yield from self._texts.pasted(Pasted(given.frame, 1, ""))
+            yield from self._frame(Pasted(given.frame, 1, ""))
         else:
             yield Problem(self._place, Code.KIND, found.reason)
+
+    def _frame(self, frame: Pasted) -> Iterator[Event]:
+        return self._texts.pasted(frame, Place(self.label, frame=frame.line))
 
     def _image(self, file: CaptureFile) -> Image | Problem:
         if self._options.images:

@@ -19,7 +19,6 @@ from ev3proto.text.paste import Pasted, read_argument, read_bare, read_text
 
 _MOST_LABEL = 60
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
-_AT_START = "column 1: "
 _HAS_BYTES = r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}"
 """Bytes in hex, which need no advice on how to write frames."""
 
@@ -80,18 +79,19 @@ class TextReader:
         for pasted in read_text(noted) if missing is None else read_bare(noted, missing):
             yield from self.pasted(pasted)
 
-    def pasted(self, pasted: Pasted) -> Found:
+    def pasted(self, pasted: Pasted, place: Place | None = None) -> Found:
         """Yields the frames in one piece of the text, and what is wrong with it."""
         given = self._given
         is_typed = given.word is not None
-        place = Place(given.quoted) if is_typed else Place(given.label, pasted.line)
+        if place is None:
+            place = Place(given.quoted) if is_typed else Place(given.label, pasted.line)
         if pasted.problem is not None:
             yield self._wrong(pasted, pasted.problem, place)
         for note in pasted.notes:
             yield Problem(place, Code.NOTE, note, Severity.HINT)
         for unknown in pasted.unknown:
             if unknown.text:
-                at = Place("" if is_typed else given.label, unknown.line, unknown.column)
+                at = Place("" if is_typed else given.label, unknown.line, unknown.column, offset=unknown.offset)
                 yield Problem(at, Code.UNKNOWN, f"{unknown.text!r} is unknown, read as 0", Severity.WARNING)
         if pasted.data:
             yield from self._log.records(pasted, place, is_typed=is_typed)
@@ -112,19 +112,17 @@ class TextReader:
 
     def _wrong(self, pasted: Pasted, problem: str, place: Place) -> Problem:
         """Returns the problem for a piece of text that is not a complete frame."""
-        given = self._given
-        if given.word is None or (pasted.data and not problem.startswith(_AT_START)):
-            if pasted.slip is None:
-                return Problem(place, Code.TEXT, problem)
-            line, column = pasted.slip
-            place = place._replace(line=line if line > 1 or given.word is None else None, column=column)
+        given, slip = self._given, pasted.slip
+        if slip is not None:
+            line = slip.line if slip.line > 1 or given.word is None else None
+            place = place._replace(line=line, column=slip.column)
+        if given.word is None or pasted.data:
             return Problem(place, Code.TEXT, pasted.reason or problem)
-        if not pasted.data and given.looks_like_a_path:
+        if given.looks_like_a_path:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)
-        rest = problem.removeprefix(_AT_START)
-        if not pasted.data:
-            rest = f"{given.quoted} is neither a file {self._options.words.argument}: {rest}"
-        return Problem(Place(), Code.TEXT, rest)
+        reason = pasted.reason if slip is not None and slip.column == 1 else problem
+        sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
+        return Problem(place, Code.TEXT if given.word.strip() else Code.EMPTY, sentence)
 
     def _noted(self, lines: Iterator[str]) -> Iterator[str]:
         """Yields the lines, and keeps the first that is neither empty nor a comment."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import gzip
 import io
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO, cast
 
 import pytest
 
@@ -83,6 +85,23 @@ def test_captures_of_all_kinds(tmp_path: Path) -> None:
     assert str(records(path)[0].place) == f"{path}, packet 1"
 
 
+def test_a_temporary_file_is_read_as_bytes() -> None:
+    with tempfile.TemporaryFile() as plain, tempfile.NamedTemporaryFile() as named:
+        for file in (plain, named):
+            file.write(ASK + ANSWER)
+            file.seek(0)
+            assert [record.frame for record in records(cast(BinaryIO, file))] == [ASK, ANSWER]
+            assert not file.closed
+
+
+def test_frames_in_bytes_are_numbered() -> None:
+    assert [record.place for record in records(ASK + ANSWER)] == [
+        ev3proto.reading.Place("the bytes", frame=1),
+        ev3proto.reading.Place("the bytes", frame=2),
+    ]
+    assert [str(record.place) for record in records(ASK[:-1])] == ["the bytes, frame 1"]
+
+
 def test_the_time_is_unknown_in_a_text_without_times() -> None:
     (record,) = records(ASK)
     assert record.time is None
@@ -131,14 +150,16 @@ def test_problems_have_a_place_and_a_code(tmp_path: Path) -> None:
     wrong = next(item for item in ev3proto.read(log) if isinstance(item, ev3proto.Problem))
     assert (wrong.code, wrong.severity, wrong.place.line, wrong.place.column) == (Code.TEXT, "error", 1, 33)
     assert str(wrong) == f"{log}, line 1, column 33: {wrong.message}"
-    assert str(problem("zz")) == "'zz' is neither a file nor a frame: 'zz' is not hex"
+    wrong = problem("zz")
+    assert (wrong.code, wrong.place.name, wrong.place.column) == (Code.TEXT, "'zz'", 1)
+    assert str(wrong) == "'zz' is neither a file nor a frame: 'zz' is not hex"
 
 
 @pytest.mark.parametrize(
     ("source", "code"),
     [
         (b"", Code.EMPTY),
-        ("", Code.TEXT),
+        ("", Code.EMPTY),
         ("nothing here\n", Code.EMPTY),
         ([], Code.EMPTY),
         (io.BytesIO(b"PK\x03\x04" + bytes(20)), Code.KIND),
@@ -170,6 +191,8 @@ def test_wrong_calls() -> None:
         ev3proto.read(ASK, engine="pyshark")
     with pytest.raises(TypeError, match="cannot read int"):
         ev3proto.read(42)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="cannot read bytes as a line"):
+        list(ev3proto.read([ASK]))  # type: ignore[list-item]
     with pytest.raises(ValueError, match="TOEN"):
         ev3proto.read(ASK, filter="op == SOUND.TOEN")
 

@@ -29,7 +29,7 @@ from ev3proto import Argument, DirectCommand, Operation, Record, SystemCommand, 
 from ev3proto.checking.report import Suggestion
 from ev3proto.schema.argument import encode_integer
 from ev3proto.schema.header import with_length
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
 from ev3proto.text.assembly import assemble
 
 REAL = Path(__file__).parent.parent / "captures" / "real-bricks.log"
@@ -385,7 +385,7 @@ def system_field_left_out(frame: bytes, rng: Random) -> Wrong:
         return None
     at, found = 6, []
     for field in SYSTEM_BY_NUMBER[message.number].request:
-        size = {Kind.U8: 1, Kind.U16: 2, Kind.U32: 4}.get(field.kind)
+        size = {FieldKind.U8: 1, FieldKind.U16: 2, FieldKind.U32: 4}.get(field.kind)
         if size is None:
             break
         found.append((at, size))

@@ -37,7 +37,7 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
-from ev3proto.program.image import Entry, Program, image_of
+from ev3proto.program.image import NewObject, Program, image_of
 from ev3proto.program.image import parse as parse_program
 from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
@@ -74,7 +74,7 @@ from ev3proto.tables.frame import (
     MessageType,
 )
 from ev3proto.tables.program import PARAMETER_CODES, ObjectKind, kind_of
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemField, SystemStatus
 
 try:
     from hypothesis import strategies as st
@@ -559,20 +559,20 @@ def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
     )
 
 
-_FIELDS: dict[Kind, SearchStrategy[FieldValue]] = {
-    Kind.U8: st.integers(0, 0xFF),
-    Kind.U16: st.integers(0, 0xFFFF),
-    Kind.U32: st.integers(0, 0xFFFFFFFF),
-    Kind.TEXT: _texts,
-    Kind.COUNTED_TEXT: _texts,
-    Kind.LISTING: st.text(st.characters(max_codepoint=255), max_size=4 * MOST_TEXT),
+_FIELDS: dict[FieldKind, SearchStrategy[FieldValue]] = {
+    FieldKind.U8: st.integers(0, 0xFF),
+    FieldKind.U16: st.integers(0, 0xFFFF),
+    FieldKind.U32: st.integers(0, 0xFFFFFFFF),
+    FieldKind.TEXT: _texts,
+    FieldKind.COUNTED_TEXT: _texts,
+    FieldKind.LISTING: st.text(st.characters(max_codepoint=255), max_size=4 * MOST_TEXT),
 }
 
 
-def _field(field: Field) -> SearchStrategy[FieldValue]:
-    if field.kind is Kind.DATA:
+def _field(field: SystemField) -> SearchStrategy[FieldValue]:
+    if field.kind is FieldKind.DATA:
         return st.binary(max_size=64 if field.most is None else min(field.most, 64))
-    if field.kind is Kind.TEXT and field.most is not None:
+    if field.kind is FieldKind.TEXT and field.most is not None:
         # The firmware's limit includes the zero.
         room = field.most - 1
         return _texts.map(lambda text: text[:room])
@@ -580,7 +580,7 @@ def _field(field: Field) -> SearchStrategy[FieldValue]:
 
 
 @st.composite
-def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
+def _fields(draw: DrawFn, declared: tuple[SystemField, ...]) -> dict[str, FieldValue]:
     """Draws values of all fields in order, including lengths; optional ones are sometimes omitted."""
     values: dict[str, FieldValue] = {}
     for field in declared:
@@ -591,7 +591,7 @@ def _fields(draw: DrawFn, declared: tuple[Field, ...]) -> dict[str, FieldValue]:
     for field in declared:
         if field.counts is not None:
             counted = values[field.counts]
-            is_text = next(it for it in declared if it.name == field.counts).kind is Kind.COUNTED_TEXT
+            is_text = next(it for it in declared if it.name == field.counts).kind is FieldKind.COUNTED_TEXT
             assert isinstance(counted, str | bytes)
             # Senders disagree on whether a text's length includes its zero.
             values[field.name] = len(counted) + (is_text and draw(st.booleans()))
@@ -626,7 +626,7 @@ def _frame(member: MessageType, counter: int, body: bytes) -> bytes:
 
 @st.composite
 def _daisy_commands(draw: DrawFn, dialect: str, chosen: Choice) -> bytes:
-    kinds = [kind for kind in daisy.DaisyCommand if chosen.operations is None or kind.carries_operations]
+    kinds = [kind for kind in daisy.DaisySubCommand if chosen.operations is None or kind.carries_operations]
     command = draw(st.sampled_from(kinds))
     payload = draw(st.binary(max_size=56))
     if command.carries_operations:
@@ -816,7 +816,7 @@ def mutated_frames(draw: DrawFn, dialect: str = "official", chosen: Choice = ALL
 
 
 @st.composite
-def _entries(draw: DrawFn, dialect: str) -> Entry:
+def _entries(draw: DrawFn, dialect: str) -> NewObject:
     """Draws an object of any kind, with operations in any encoding."""
     owner, triggers = draw(st.sampled_from(((0, 0), (0, 1), (1, 1), (0, 2))))
     is_subcall = kind_of(owner, triggers) is ObjectKind.SUBCALL
@@ -825,7 +825,7 @@ def _entries(draw: DrawFn, dialect: str) -> Entry:
     code += b"".join(draw(st.lists(raw_operations(dialect), max_size=4)))
     ends = ("RETURN", "OBJECT_END") if is_subcall else ("OBJECT_END",)
     code += b"".join(operation(name).raw for name in ends)
-    return Entry(owner, triggers, draw(st.integers(0, 300)), code)
+    return NewObject(owner, triggers, draw(st.integers(0, 300)), code)
 
 
 def _program_parameters() -> SearchStrategy[ProgramParameter]:

@@ -212,18 +212,18 @@ def chain() -> Wire:
     lower.listen()
     touch, tacho = TYPE.members["TYPE_TOUCH"], TYPE.members["TYPE_TACHO"]
     ask, tell = MessageType.DAISY_COMMAND_REPLY, MessageType.DAISY_COMMAND_NO_REPLY
-    lower.send(down(ask, 1, daisy.DaisyCommand.INFO))
+    lower.send(down(ask, 1, daisy.DaisySubCommand.INFO))
     lower.receive(up(MessageType.DAISY_REPLY, 1, sensor_report(0, touch, b"\0")))
-    lower.send(down(tell, 2, daisy.DaisyCommand.SET_TYPE, bytes((1, 0, touch, 0))))
-    lower.send(down(tell, 3, daisy.DaisyCommand.DOWNSTREAM, *dialogue.start_motors()))
-    lower.send(down(ask, 4, daisy.DaisyCommand.DOWNSTREAM_WITH_BUSY, dialogue.stop_motors()))
+    lower.send(down(tell, 2, daisy.DaisySubCommand.SET_TYPE, bytes((1, 0, touch, 0))))
+    lower.send(down(tell, 3, daisy.DaisySubCommand.DOWNSTREAM, *dialogue.start_motors()))
+    lower.send(down(ask, 4, daisy.DaisySubCommand.DOWNSTREAM_WITH_BUSY, dialogue.stop_motors()))
     lower.receive(up(MessageType.DAISY_REPLY, 4, sensor_report(16, tacho, struct.pack("<i", 360))))
     lower.receive(up(tell, 5, sensor_report(0, touch, b"\x01")))
-    lower.send(down(tell, 6, daisy.DaisyCommand.UNLOCK_SLAVE))
+    lower.send(down(tell, 6, daisy.DaisySubCommand.UNLOCK_SLAVE))
     return usb.wire
 
 
-def down(kind: MessageType, counter: int, number: daisy.DaisyCommand, *parts: Operation | bytes) -> bytes:
+def down(kind: MessageType, counter: int, number: daisy.DaisySubCommand, *parts: Operation | bytes) -> bytes:
     """A command for the lower brick."""
     payload = b"".join(part.raw if isinstance(part, Operation) else part for part in parts)
     message = DaisyCommand(type=kind, counter=counter, number=number, layer_from=0, layer_to=1, payload=payload)
@@ -234,7 +234,7 @@ def up(kind: MessageType, counter: int, payload: bytes) -> bytes:
     """A reply of the lower brick, or its own message with sensor data."""
     if kind is MessageType.DAISY_REPLY:
         return DaisyReply(type=kind, counter=counter, layer_from=1, layer_to=0, payload=payload).build()
-    number = daisy.DaisyCommand.UPSTREAM
+    number = daisy.DaisySubCommand.UPSTREAM
     message = DaisyCommand(type=kind, counter=counter, number=number, layer_from=1, layer_to=0, payload=payload)
     return message.build()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 
-from ev3proto.brick.places import NOT_A_NUMBER
+from ev3proto.brick.locations import NOT_A_NUMBER
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES
 

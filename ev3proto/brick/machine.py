@@ -17,9 +17,9 @@ from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.handlers import Dispatch, Family
 from ev3proto.brick.handles import Array
 from ev3proto.brick.images import Image, Images, load
+from ev3proto.brick.locations import Location
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Pause, Sleep, WildAccess
-from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
     CURRENT_SLOT,
@@ -72,7 +72,7 @@ Zeros follow it. What an operation writes to a constant is lost with the next on
 
 
 def _integer(
-    read: Callable[[Place], int], layout: struct.Struct, wrap: Callable[[int], int]
+    read: Callable[[Location], int], layout: struct.Struct, wrap: Callable[[int], int]
 ) -> Callable[[Machine], int]:
     """Reads a parameter of an integer type: short forms and constants directly, all others by their place.
 
@@ -253,9 +253,9 @@ class Machine:
 
     # Parameters
 
-    int8 = _integer(Place.read8, struct.Struct("<b"), wrap8)
-    int16 = _integer(Place.read16, struct.Struct("<h"), wrap16)
-    int32 = _integer(Place.read32, struct.Struct("<i"), lambda number: number)
+    int8 = _integer(Location.read8, struct.Struct("<b"), wrap8)
+    int16 = _integer(Location.read16, struct.Struct("<h"), wrap16)
+    int32 = _integer(Location.read32, struct.Struct("<i"), lambda number: number)
 
     def float32(self) -> float:
         """Reads a parameter of type DATAF."""
@@ -269,7 +269,7 @@ class Machine:
         """Reads a parameter that is a text, without its zero."""
         return self.place().read_text()
 
-    def places(self) -> list[Place]:
+    def places(self) -> list[Location]:
         """Reads a count and that number of parameters; none for a negative count."""
         return [self.place() for _ in range(self.int8())]
 
@@ -278,7 +278,7 @@ class Machine:
         first = self.code[self.ip]
         self.ip = self.code.index(0, self.ip + 1) + 1 if first in STRINGS else self.ip + (SIZES[first] or 1)
 
-    def place(self) -> Place:
+    def place(self) -> Location:
         """Reads a parameter of any type, and returns the place of its value.
 
         All constant numbers share one place, so each is lost when the next one is read, as in the firmware.
@@ -292,7 +292,7 @@ class Machine:
             return self._constant(0)
         kind = encoding.kind
         if kind == TEXT:
-            place = Place(code, ip + 1)
+            place = Location(code, ip + 1)
             self.ip = code.index(0, ip + 1) + 1
         else:
             if number is None:
@@ -301,9 +301,9 @@ class Machine:
                     raise WildAccess
                 number = int.from_bytes(code[ip + 1 : self.ip], "little", signed=kind not in (LOCAL, GLOBAL))
             if kind == GLOBAL:
-                place = Place(self.global_memory, number)
+                place = Location(self.global_memory, number)
             elif kind == LOCAL:
-                place = Place(self.local_memory, number)
+                place = Location(self.local_memory, number)
             else:
                 place = self._constant(self._label(number) if kind == JUMP else number)
         if encoding.handle:
@@ -313,15 +313,15 @@ class Machine:
             raise WildAccess
         return place
 
-    def _constant(self, value: int) -> Place:
+    def _constant(self, value: int) -> Location:
         self._scratch[:8] = (value & 0xFFFFFFFF).to_bytes(8, "little")
-        return Place(self._scratch, 0)
+        return Location(self._scratch, 0)
 
-    def _element(self, place: Place) -> Place:
+    def _element(self, place: Location) -> Location:
         """Returns the first element of the array with the handle at a place; the place itself for an unknown handle."""
         handle = place.read16()
         array = self.program.handles.get(handle, Array)
-        return Place(place.buffer, place.at, handle) if array is None else Place(array.data, 0, handle)
+        return Location(place.buffer, place.at, handle) if array is None else Location(array.data, 0, handle)
 
     def _label(self, number: int) -> int:
         """Returns the distance to a label; any other number is itself. Raises WildAccess if the label is not set."""
@@ -350,12 +350,12 @@ class Machine:
 
     # Results
 
-    def write_text(self, destination: Place, text: bytes, room: int | None = None) -> None:
+    def write_text(self, destination: Location, text: bytes, room: int | None = None) -> None:
         """Writes a text and its zero; an array named by its handle is resized, to `room` elements or as needed."""
         if self.resize(destination, len(text) + 1 if room is None else room):
             destination.write_text(text)
 
-    def write_limited(self, destination: Place, text: bytes, length: int) -> None:
+    def write_limited(self, destination: Location, text: bytes, length: int) -> None:
         """Writes a text cut to `length` with its zero: 0 writes nothing, a negative length does not cut.
 
         An array gets `length` elements, or fewer where the text needs fewer, or as many as the text needs for -1.
@@ -371,7 +371,7 @@ class Machine:
         elif length < 0:
             destination.write_text(text)
 
-    def resize(self, destination: Place, elements: int) -> bool:
+    def resize(self, destination: Location, elements: int) -> bool:
         """Resizes the array that a parameter named by its handle; does nothing for other places.
 
         Returns whether there is a place to write to.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ev3proto.brick.places import Place
+from ev3proto.brick.locations import Location
 from ev3proto.tables.paths import ALLOWED, has_room, is_spelled
 
 REPLACEMENT = ord("_")
@@ -11,7 +11,7 @@ REPLACEMENT = ord("_")
 _REPLACED = bytes(byte if byte in ALLOWED else REPLACEMENT for byte in range(256))
 
 
-def check(place: Place) -> bool:
+def check(place: Location) -> bool:
     """Checks a name in memory; forbidden characters are replaced there, so that it passes the next time."""
     text = place.read_text()
     if not is_spelled(text):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ev3proto.brick.handles import HandleTable
-from ev3proto.brick.places import Place
+from ev3proto.brick.locations import Location
 from ev3proto.brick.steps import Steps, finish
 from ev3proto.checking.verdict import Refusal, validator
 from ev3proto.program import ProgramParameter
@@ -36,8 +36,8 @@ class Result(NamedTuple):
     """An output of a subroutine."""
 
     parameter: ProgramParameter  # as the subroutine declares it
-    own: Place  # its place in the subroutine's memory
-    place: Place  # its place in the caller's memory
+    own: Location  # its place in the subroutine's memory
+    place: Location  # its place in the caller's memory
 
 
 @dataclass(eq=False)

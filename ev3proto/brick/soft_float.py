@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from ev3proto.brick.conversions import bits_of, float_of, is_nan
-from ev3proto.brick.places import NOT_A_NUMBER
+from ev3proto.brick.locations import NOT_A_NUMBER
 
 _SIGN = 0x80000000
 _EXPONENT = 0x7F800000

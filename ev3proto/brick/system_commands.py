@@ -25,7 +25,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.paths import is_allowed
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemStatus
 
 HANDLES = 64
 NO_HANDLE = 0xFF
@@ -127,7 +127,7 @@ class SystemCommands:
         if function is None:
             return None
         fields, at, _ = REQUESTS[number].read_leniently(frame, HEADER_SIZE + 1, complete=False)
-        texts = {Kind.TEXT, Kind.COUNTED_TEXT}
+        texts = {FieldKind.TEXT, FieldKind.COUNTED_TEXT}
         known = {field.name: field for field in REQUESTS[number].fields}
         values = {
             name: str(value).encode(STRING_CODING) if known[name].kind in texts else value

@@ -22,7 +22,7 @@ from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.tables.system import Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import FieldKind, SystemDeclaration, SystemStatus
 from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
@@ -280,7 +280,7 @@ class _Files:
         """Returns the firmware image in transfer to the flash memory, which has no path and no handle."""
         begins = _begins_image(entry)
         is_command = isinstance(message, SystemCommand)
-        if not begins and not any(field.kind is Kind.DATA for field in entry.request):
+        if not begins and not any(field.kind is FieldKind.DATA for field in entry.request):
             return None
         if is_command and (begins or record.peer not in self._images):
             address, size = message.fields.get("address"), message.fields.get("image_size")

@@ -46,7 +46,7 @@ _STARTS = re.compile(
 _WITH_DATA = {
     bytes((command.number,))
     for command in system.SYSTEM
-    if any(each.kind is system.Kind.DATA for each in command.request)
+    if any(each.kind is system.FieldKind.DATA for each in command.request)
 }
 """The system commands with data, which may be any bytes."""
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind, SystemDeclaration
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration
 
 
-def _answers_with(kind: Kind) -> frozenset[str]:
+def _answers_with(kind: FieldKind) -> frozenset[str]:
     return frozenset(
         entry.name
         for entry in SYSTEM
@@ -15,10 +15,10 @@ def _answers_with(kind: Kind) -> frozenset[str]:
     )
 
 
-LISTINGS = _answers_with(Kind.LISTING)
+LISTINGS = _answers_with(FieldKind.LISTING)
 """The commands that move listings of folders."""
 
-UPLOADS = _answers_with(Kind.DATA) | LISTINGS
+UPLOADS = _answers_with(FieldKind.DATA) | LISTINGS
 """The commands that move data from the brick; the others move files to it."""
 
 
@@ -35,10 +35,10 @@ def piece_of(message: Message) -> bytes:
     declared = entry.request if isinstance(message, SystemCommand) else entry.reply
     for field in declared:
         value = message.fields.get(field.name)
-        if field.kind is Kind.LISTING and isinstance(value, str):
+        if field.kind is FieldKind.LISTING and isinstance(value, str):
             return value.encode(STRING_CODING)
         # The command that closes a file has data, too: its hash.
-        if field.kind is Kind.DATA and isinstance(value, bytes) and entry.transfer != "close":
+        if field.kind is FieldKind.DATA and isinstance(value, bytes) and entry.transfer != "close":
             return value
     return b""
 

@@ -14,7 +14,7 @@ from ev3proto.schema.header import with_length
 from ev3proto.tables import operations
 
 
-class Code(NamedTuple):
+class FindingCode(NamedTuple):
     """One code."""
 
     code: str  # `E301`: E for errors, W for warnings, H for hints
@@ -39,7 +39,7 @@ class Code(NamedTuple):
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
-CODES: dict[str, Code] = {}
+CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
 
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
@@ -53,9 +53,11 @@ def _code(
     counterexample: bytes,
     carrier: str | None = None,
     alone: bool = False,
-) -> Code:
+) -> FindingCode:
     severity = _SEVERITIES[code[0]]
-    entry = CODES[code] = Code(code, severity, title, explanation.strip(), example, counterexample, carrier, alone)
+    entry = CODES[code] = FindingCode(
+        code, severity, title, explanation.strip(), example, counterexample, carrier, alone
+    )
     return entry
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ev3proto.checking.codes import Code
+from ev3proto.checking.codes import FindingCode
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Verdict
 from ev3proto.errors import Fault
@@ -36,11 +36,11 @@ class CheckedOperation:
         facts = self.facts
         return bool(facts.effects) and effect in facts.declaration.effects
 
-    def finding(self, code: Code, message: str, help_: str) -> Finding:
+    def finding(self, code: FindingCode, message: str, help_: str) -> Finding:
         """Returns a finding about the whole operation."""
         return code.finding(self.start, self.end - self.start, message, help_, self.name)
 
-    def finding_at(self, code: Code, argument: Argument, message: str, help_: str) -> Finding:
+    def finding_at(self, code: FindingCode, argument: Argument, message: str, help_: str) -> Finding:
         """Returns a finding about one of its arguments."""
         return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
 

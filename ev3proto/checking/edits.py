@@ -16,11 +16,11 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.schema.instructions import OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
-from ev3proto.semantics.likelihood import Code, Reading
+from ev3proto.semantics.likelihood import CommandCode, Reading
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 from ev3proto.tables.validation import LABELS
 
 TYPE_AT = HEADER_SIZE - 1
@@ -151,7 +151,7 @@ def _of_memory(frame: bytes) -> Iterator[Edit]:
 class _Place(NamedTuple):
     """A place where a parameter is expected."""
 
-    code: Code
+    code: CommandCode
     operation: str
     known: ParameterFacts  # the parameter
     at: int
@@ -314,7 +314,7 @@ def _lost(place: _Place) -> Iterator[Edit]:
 _AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost)
 
 
-def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
+def _filler(known: ParameterFacts, code: CommandCode, before: list[Argument]) -> bytes:
     """Returns a value for a missing argument."""
     parameter, domain = known.parameter, known.domain
     if parameter.is_output or parameter.role in (Role.FILE, Role.ARRAY):
@@ -327,7 +327,7 @@ def _filler(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
     return encode_integer(next((one for one in (0, 1, low) if domain is None or domain.covers(one)), 0))
 
 
-def _free_variable(known: ParameterFacts, code: Code, before: list[Argument]) -> bytes:
+def _free_variable(known: ParameterFacts, code: CommandCode, before: list[Argument]) -> bytes:
     """Returns a variable after those of other arguments, or the first one if there is no room."""
     shared, local, _ = code.memory
     scope, most, base = (GLOBAL, shared, _GV0) if shared else (LOCAL, local, _LV0)
@@ -336,7 +336,7 @@ def _free_variable(known: ParameterFacts, code: Code, before: list[Argument]) ->
     return bytes((base + (index if index < _SHORT and index + known.size <= most else 0),))
 
 
-def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
+def operation_edits(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit]:
     """Yields the edits of one operation, as far as it can be read."""
     data, size = code.data, len(code.data)
     yield from _of_opcode(code, start, reading)
@@ -358,7 +358,7 @@ def operation_edits(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
         yield from _of_place(place, arguments, number, ends)
 
 
-def _cut(code: Code, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
+def _cut(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
     end, left = reading.end, facts.parameters[len(reading.arguments) :]
     if reading.is_fault and end == len(code.data) and len(left) > 1:
         new = b"".join([_filler(known, code, reading.arguments) for known in left])
@@ -392,7 +392,7 @@ def _of_place(place: _Place, arguments: list[Argument], number: int, ends: list[
         yield Edit("order", at, after, data[end:after] + data[at:end], words)
 
 
-def _of_opcode(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
+def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit]:
     schema, family = reading.schema, code.set.families[code.data[start]]
     if schema is not None and Effect.ENDS_CODE in schema.declaration.effects:
         yield Edit("end", start, start + 1, b"")
@@ -408,7 +408,7 @@ def _of_opcode(code: Code, start: int, reading: Reading) -> Iterator[Edit]:
             yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
 
 
-def _shorter(code: Code, schema: OperationSchema) -> Iterator[OperationSchema]:
+def _shorter(code: CommandCode, schema: OperationSchema) -> Iterator[OperationSchema]:
     """Yields the operations around one in the table that take its first parameters, but not the last."""
     wanted = [one.name for one in schema.declaration.parameters[:-1]]
     for number in range(max(schema.head[0] - 3, 0), min(schema.head[0] + 4, 256)):
@@ -420,13 +420,13 @@ def _shorter(code: Code, schema: OperationSchema) -> Iterator[OperationSchema]:
 # The same everywhere
 
 
-def whole_edits(code: Code) -> Iterator[Edit]:
+def whole_edits(code: CommandCode) -> Iterator[Edit]:
     """Yields the edits of all operations at once: a slip out of habit."""
     yield from _no_layers(code)
     yield from _all_swapped(code)
 
 
-def _no_layers(code: Code) -> Iterator[Edit]:
+def _no_layers(code: CommandCode) -> Iterator[Edit]:
     data, at = code.data, COMMAND_HEADER_SIZE
     new, names = b"", []
     while at < len(data):
@@ -447,7 +447,7 @@ def _no_layers(code: Code) -> Iterator[Edit]:
         yield Edit("no-layers", COMMAND_HEADER_SIZE, len(data), new, (len(names), names[0]))
 
 
-def _all_swapped(code: Code) -> Iterator[Edit]:
+def _all_swapped(code: CommandCode) -> Iterator[Edit]:
     numbers = [
         one
         for _, reading in code.first
@@ -484,16 +484,16 @@ def system_edits(frame: bytes) -> Iterator[Edit]:
         yield from _of_field(frame, at, field, entry)
         if field.kind in NUMBERS:
             at += int(NUMBERS[field.kind].sizeof())
-        elif field.kind is Kind.TEXT:
+        elif field.kind is FieldKind.TEXT:
             at = frame.find(0, at) + 1 or len(frame)
-        elif field.kind is Kind.COUNTED_TEXT:
+        elif field.kind is FieldKind.COUNTED_TEXT:
             at += frame[at - 1]
     for place in range(HEADER_SIZE, min(len(frame) - 1, 80)):
         if frame[place] == frame[place + 1]:
             yield Edit("doubled", place, place + 1, b"", (frame[place],), 2.0 if frame[place] in _COMMON else 1.0)
 
 
-def _of_field(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> Iterator[Edit]:
+def _of_field(frame: bytes, at: int, field: SystemField, entry: SystemDeclaration) -> Iterator[Edit]:
     names = field.name, entry.name
     if field.counts is not None:
         yield from _of_count(frame, at, field, entry)
@@ -504,18 +504,18 @@ def _of_field(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> 
         if value != value[::-1]:
             words = (*names, int.from_bytes(value, "big"), spaced(value[::-1]))
             yield Edit("swapped", at, at + width, value[::-1], words)
-    elif field.kind is Kind.TEXT:
+    elif field.kind is FieldKind.TEXT:
         yield Edit("no-zero", len(frame), len(frame), b"\0", names)
-    elif field.kind is Kind.COUNTED_TEXT:
+    elif field.kind is FieldKind.COUNTED_TEXT:
         for count in (frame[at - 1], frame[at - 1] - 1):
             if 0 < count <= len(frame) - at and frame[at + count - 1]:
                 yield Edit("no-zero", at + count, at + count, b"\0", names, 0.2 if count == frame[at - 1] else 0.0)
 
 
-def _of_count(frame: bytes, at: int, field: Field, entry: SystemDeclaration) -> Iterator[Edit]:
+def _of_count(frame: bytes, at: int, field: SystemField, entry: SystemDeclaration) -> Iterator[Edit]:
     """Yields the edits of a field that counts the bytes of another."""
     width = int(NUMBERS[field.kind].sizeof())
-    is_text = next(one for one in entry.request if one.name == field.counts).kind is Kind.COUNTED_TEXT
+    is_text = next(one for one in entry.request if one.name == field.counts).kind is FieldKind.COUNTED_TEXT
     value, names = frame[at : at + width], (field.name, entry.name)
     zero = frame[at + width :].find(0)
     looks_like_text = all(0x30 <= byte < 0x7F for byte in value)

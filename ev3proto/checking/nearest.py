@@ -36,7 +36,7 @@ from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import read_last
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, read_memory, write_memory
 from ev3proto.semantics.footprint import footprints, needed
-from ev3proto.semantics.likelihood import FAULT, Code
+from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, REPLY_TYPES, MessageType
@@ -196,7 +196,7 @@ class _Search:
             weight += _REFUSED
         if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
             return 0.0, weight
-        code = Code(frame, self._dialect)
+        code = CommandCode(frame, self._dialect)
         return code.rarity, max(weight, code.rest() - code.rarity)
 
     def _check(self, frame: bytes) -> Report:
@@ -284,7 +284,7 @@ class _Search:
     def _read(self, frame: bytes) -> float:
         """Returns the cost of a frame's code."""
         is_code = len(frame) > COMMAND_HEADER_SIZE and frame[TYPE_AT] in DIRECT
-        return Code(frame, self._dialect).rest() if is_code else 0.0
+        return CommandCode(frame, self._dialect).rest() if is_code else 0.0
 
     def _with_other_length(self, frame: bytes) -> Iterator[_Candidate]:
         stated, size = stated_size(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
@@ -338,7 +338,7 @@ class _Search:
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
 
     def _with_code(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
-        code = Code(frame, self._dialect)
+        code = CommandCode(frame, self._dialect)
         for edit in whole_edits(code) if before is None else ():
             new, price = self._applied(frame, edit)
             yield _Candidate((edit,), price, self._read(new), new)
@@ -387,7 +387,7 @@ def _place(one: _Judged) -> object:
     return (edit.kind, edit.at) if edit.guess else one.candidate.frame
 
 
-def _suspicious(code: Code, costs: list[float]) -> Iterable[int]:
+def _suspicious(code: CommandCode, costs: list[float]) -> Iterable[int]:
     """Returns the numbers of the operations in which edits are tried, the last first."""
     last = len(costs) - 1
     bad = [number for number, cost in enumerate(costs) if cost >= _SUSPICIOUS]

@@ -5,17 +5,19 @@ The examples are whole images.
 
 from __future__ import annotations
 
-from ev3proto.checking.codes import Code
+from ev3proto.checking.codes import FindingCode
 from ev3proto.checking.report import Severity
 
-PROGRAM_CODES: dict[str, Code] = {}
+PROGRAM_CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
 
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
 
-def _code(code: str, title: str, explanation: str, example: bytes, counterexample: bytes) -> Code:
-    entry = PROGRAM_CODES[code] = Code(code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample)
+def _code(code: str, title: str, explanation: str, example: bytes, counterexample: bytes) -> FindingCode:
+    entry = PROGRAM_CODES[code] = FindingCode(
+        code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample
+    )
     return entry
 
 

@@ -11,7 +11,7 @@ import click
 
 from ev3proto.capture.record import Record
 from ev3proto.checking.checking import check as check_frame
-from ev3proto.checking.codes import CODES, Code
+from ev3proto.checking.codes import CODES, FindingCode
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.nearest import Suggestions
 from ev3proto.checking.program_codes import PROGRAM_CODES
@@ -385,7 +385,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
             printer.lines(explained(code, dialect=dialect))
 
 
-def _code_entry(code: Code) -> dict[str, Any]:
+def _code_entry(code: FindingCode) -> dict[str, Any]:
     """Returns a code for other tools."""
     return {
         "code": code.code,

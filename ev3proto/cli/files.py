@@ -16,7 +16,7 @@ from ev3proto.cli.output import complain, say, say_json
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.reading.items import Code
+from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 from ev3proto.text.spans import visible
 
@@ -50,7 +50,7 @@ def files(
         raise click.UsageError("--force needs -o")
 
     rows: list[tuple[str, ...]] = []
-    captures, problems = captures_of(names, reading), Problems(Code.NO_MATCH)
+    captures, problems = captures_of(names, reading), Problems(ProblemCode.NO_MATCH)
     for part in captures.each():
         errors, is_empty = problems.errors, True
         events = problems.captured(part)

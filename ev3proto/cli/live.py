@@ -18,7 +18,7 @@ from ev3proto.cli.recorded import Dialogues, show_announcement
 from ev3proto.cli.show import Show
 from ev3proto.pyshark.tshark import Run, Tshark
 from ev3proto.reading.given import Given
-from ev3proto.reading.items import Code, Event, Problem
+from ev3proto.reading.items import Event, Problem, ProblemCode
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
 
@@ -111,7 +111,7 @@ class _Watching:
         """Yields the events, and shows those outside dialogues. Raises CaptureError for what ends the capture."""
         for event in events:
             if isinstance(event, Problem):
-                if event.severity is Severity.ERROR and event.code is not Code.SKIPPED:
+                if event.severity is Severity.ERROR and event.code is not ProblemCode.SKIPPED:
                     raise CaptureError(event.message)
                 complain(str(event))
             elif isinstance(event, Record | Skipped | Announcement):

@@ -19,7 +19,7 @@ from ev3proto.tables import OPCODES, area_of, operations
 from ev3proto.tables.declaration import DIALECTS, UNRELEASED, Declaration, Parameter
 from ev3proto.tables.encoding import ENCODINGS
 from ev3proto.tables.frame import TYPE_ADVICE, TYPE_MEANINGS
-from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, SystemDeclaration, SystemField, SystemStatus
 from ev3proto.text.spans import Role, Spans
 
 
@@ -248,7 +248,7 @@ def _parameter_record(parameter: Parameter) -> dict[str, Any]:
     return entry | {name: value for name, value in optional.items() if value or value == 0}
 
 
-def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Spans]:
+def _fields(title: str, fields: tuple[SystemField, ...]) -> Iterator[Spans]:
     yield [(f"  {title}:" + ("" if fields else " no fields"), Role.PLAIN)]
     for field in fields:
         optional = " (may be absent)" if field.optional else ""
@@ -260,6 +260,6 @@ def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[Spans]:
         ]
 
 
-def _field_record(field: Field) -> dict[str, Any]:
+def _field_record(field: SystemField) -> dict[str, Any]:
     entry = {"name": field.name, "kind": field.kind.value, "text": field.text}
     return entry | ({"optional": True} if field.optional else {})

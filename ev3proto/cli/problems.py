@@ -8,7 +8,7 @@ from typing import TypeAlias
 from ev3proto.capture.record import Announcement, Record, Skipped
 from ev3proto.checking.report import Severity
 from ev3proto.cli.output import complain
-from ev3proto.reading.items import Code, Event, Image, Problem, Source
+from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source
 
 Captured: TypeAlias = Record | Announcement | Skipped
 Other: TypeAlias = Captured | Image | Source
@@ -21,7 +21,7 @@ class Problems:
     ignored  codes that are neither printed nor count
     """
 
-    def __init__(self, *ignored: Code, heard: Callable[[str], object] = lambda _: None) -> None:
+    def __init__(self, *ignored: ProblemCode, heard: Callable[[str], object] = lambda _: None) -> None:
         """`heard` is called with the sentence of each error."""
         self.errors = 0
         self._ignored = ignored

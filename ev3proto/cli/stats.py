@@ -15,7 +15,7 @@ from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-from ev3proto.reading.items import Code
+from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 
 _MILLISECONDS = 1000
@@ -35,7 +35,7 @@ def stats(files: tuple[str, ...], reading: Options, as_json: bool) -> None:
       ev3proto stats robot.pcapng
       ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    statistics, captures, problems = Statistics(), captures_of(files, reading), Problems(Code.NO_MATCH)
+    statistics, captures, problems = Statistics(), captures_of(files, reading), Problems(ProblemCode.NO_MATCH)
     for event in problems.captured(captures.events()):
         statistics.add(event)
     account = captures.account

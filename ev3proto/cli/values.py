@@ -20,7 +20,7 @@ from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-from ev3proto.reading.items import Code
+from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 from ev3proto.text.spans import visible
 
@@ -63,7 +63,7 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
     form = "csv" if as_csv else "json" if as_json else None
-    captures, problems, found = captures_of(files, reading), Problems(Code.NO_MATCH), Series()
+    captures, problems, found = captures_of(files, reading), Problems(ProblemCode.NO_MATCH), Series()
     for part in captures.each():
         found.extend(series_of(problems.captured(part), part.label, MOST_CELLS - found.size))
     if found.omitted:

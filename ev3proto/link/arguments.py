@@ -23,7 +23,7 @@ from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT, limits
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.frame import GRANTED_GLOBALS, MAX_LOCALS
 from ev3proto.tables.paths import WHOLE, is_allowed
-from ev3proto.tables.reading import Reading, is_own
+from ev3proto.tables.reading import ReadOnly, is_own
 from ev3proto.tables.validation import LABELS
 
 GRANTED = {GLOBAL: GRANTED_GLOBALS, LOCAL: MAX_LOCALS}
@@ -41,7 +41,7 @@ _FORMAT = re.compile(r"[^%]*%[-+ #0]*\d{0,2}(\.\d{0,2})?[acdefgiouxAEFGX][^%]*")
 _BYTE = 0xFF
 
 
-class Code:
+class References:
     """The operations of a direct command, and what its arguments refer to."""
 
     def __init__(self, command: DirectCommand) -> None:
@@ -81,7 +81,7 @@ class Use:
 
     argument: Argument
     operation: Operation
-    code: Code
+    code: References
     known: Known
 
     @property
@@ -270,14 +270,14 @@ RULES = (
 """The first that is for a parameter decides."""
 
 
-def is_bounded(operation: Operation, code: Code, memory: Mapping[str, int]) -> bool:
+def is_bounded(operation: Operation, code: References, memory: Mapping[str, int]) -> bool:
     """Returns whether every brick reads an operation in the same way, and it writes and jumps only where it may."""
     return _follows_rules(operation, code, NOTHING, lambda rule: rule.is_bounded) and all(
         end_of(place) <= memory[place.argument.kind] for place in footprints(operation) if place.facts.is_written
     )
 
 
-def only_reads(operation: Operation, row: Reading, code: Code, known: Known) -> bool:
+def only_reads(operation: Operation, row: ReadOnly, code: References, known: Known) -> bool:
     """Returns whether an operation on the list does what its row says, and nothing else, with these arguments."""
     places = footprints(operation)
     return (
@@ -293,7 +293,7 @@ def only_reads(operation: Operation, row: Reading, code: Code, known: Known) -> 
     )
 
 
-def _follows_rules(operation: Operation, code: Code, known: Known, check: Callable[[Rule], Check]) -> bool:
+def _follows_rules(operation: Operation, code: References, known: Known, check: Callable[[Rule], Check]) -> bool:
     # Older firmware takes the arguments of an unknown CMD for operations.
     cmd = operation.cmd
     if operation.declaration.is_newer or (cmd is not None and (cmd.form.handle or cmd.form.address)):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ev3proto.compose import command
 from ev3proto.errors import BuildError
-from ev3proto.link.arguments import Code, Use, path_of, port_of, type_value
+from ev3proto.link.arguments import References, Use, path_of, port_of, type_value
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.messages import GV, DirectCommand, DirectReply, Message, Operation
 from ev3proto.schema.frame import parse
@@ -26,7 +26,7 @@ _MEMORY = MAX_FRAME - HEADER_SIZE
 
 
 @dataclass(frozen=True)
-class Question:
+class Inquiry:
     """The ports and files that a command depends on."""
 
     ports: tuple[tuple[int, int], ...]  # each as layer and number
@@ -62,11 +62,11 @@ class Question:
         )
 
 
-def question_about(message: Message) -> Question | None:
+def question_about(message: Message) -> Inquiry | None:
     """Returns what has to be asked before a command is sent; None if nothing has to."""
     if not isinstance(message, DirectCommand) or message.fault is not None:
         return None
-    code = Code(message)
+    code = References(message)
     ports = (port_of(one) for one in message.operations if _sets_type(one, code))
     reads_files = any(
         argument.parameter.type is Type.HANDLE and not argument.parameter.is_output
@@ -74,14 +74,14 @@ def question_about(message: Message) -> Question | None:
         for argument in one.arguments
     )
     paths = (path_of(one) for one in message.operations if reads_files and one.full_name == "FILE.OPEN_READ")
-    question = Question(
+    question = Inquiry(
         tuple(dict.fromkeys(port for port in ports if port is not None)),
         tuple(dict.fromkeys(path for path in paths if path is not None)),
     )
     return question if question.ports or question.paths else None
 
 
-def _sets_type(operation: Operation, code: Code) -> bool:
+def _sets_type(operation: Operation, code: References) -> bool:
     """Returns whether an operation gives the type of a device, and not 0, which keeps it."""
     return any(
         type_value(Use(argument, operation, code, NOTHING)) != 0

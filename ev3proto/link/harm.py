@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Container, Mapping
 from enum import StrEnum
 
-from ev3proto.link.arguments import GRANTED, Code, is_bounded, only_reads
+from ev3proto.link.arguments import GRANTED, References, is_bounded, only_reads
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.link.transfers import NO_TRANSFERS, is_listing, is_of
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
@@ -18,7 +18,7 @@ from ev3proto.tables.declaration import Effect
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.paths import WHOLE, is_allowed
-from ev3proto.tables.reading import Reading, is_own, reading_of
+from ev3proto.tables.reading import ReadOnly, is_own, reading_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 
 
@@ -126,7 +126,7 @@ def _of_system(command: SystemCommand, handles: Mapping[int, str]) -> _Found:
 
 
 def _of_direct(command: DirectCommand, known: Known) -> _Found:
-    code = Code(command)
+    code = References(command)
     operations = code.operations
     is_whole = bool(operations) and operations[-1].offset + operations[-1].length <= MAX_FRAME
     effects_of, unknown = [], [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
@@ -147,7 +147,7 @@ def _of_direct(command: DirectCommand, known: Known) -> _Found:
     return effects_of, unknown
 
 
-def _is_one_of_few(row: Reading, counts: Counter[str]) -> bool:
+def _is_one_of_few(row: ReadOnly, counts: Counter[str]) -> bool:
     """Counts an operation. Returns whether a command may have that number of them."""
     counts[row.names] += 1
     return row.most is None or counts[row.names] <= row.most

@@ -30,7 +30,7 @@ from ev3proto.semantics.replies import values_of
 from ev3proto.tables.declaration import Declaration, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
 from ev3proto.tables.public import Public, public_of
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
 
 MASK = ord("x")
 
@@ -54,7 +54,7 @@ _ENDING = frozenset(
 )
 """The effects of operations after which others may not be reached."""
 
-_TEXTS = (Kind.TEXT, Kind.COUNTED_TEXT)
+_TEXTS = (FieldKind.TEXT, FieldKind.COUNTED_TEXT)
 """The kinds of fields that hold texts; others hold numbers and the contents of files and mailboxes."""
 
 

@@ -14,7 +14,7 @@ from typing import TypeAlias
 from ev3proto.link.asking import question_about
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.link.known import ASSUMED
-from ev3proto.link.transfers import NO_TRANSFERS, Transfers, is_listing
+from ev3proto.link.transfers import NO_TRANSFERS, OpenTransfers, is_listing
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.constructors import system_command
 from ev3proto.schema.frame import parse
@@ -22,7 +22,7 @@ from ev3proto.schema.header import HEADER_SIZE, build_frame
 from ev3proto.system import close_filehandle, continue_list_files
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MAX_FRAME, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemStatus
 
 PATIENCE = 15.0
 """Seconds after which a reply counts as lost; a command that reads takes less than 10."""
@@ -30,7 +30,7 @@ PATIENCE = 15.0
 _MOST_PIECES = 10_000
 """Pieces of a listing that is read to its end; the largest folder has fewer."""
 
-_SIZES = {Kind.U8: 1, Kind.U16: 2, Kind.U32: 4}
+_SIZES = {FieldKind.U8: 1, FieldKind.U16: 2, FieldKind.U32: 4}
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class Policy:
             allowed: Groups of harms, and full names, that may be sent besides reading.
             is_plan: Nothing is asked, as there is no brick: ports and files are as the commands say.
         """
-        self.transfers = Transfers()
+        self.transfers = OpenTransfers()
         self._allowed = allowed
         self._is_plan = is_plan
 

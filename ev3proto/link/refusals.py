@@ -6,7 +6,7 @@ from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemComman
 from ev3proto.schema.fields import REPLIES
 from ev3proto.schema.header import HEADER_SIZE, build_frame
 from ev3proto.tables.frame import MAX_FRAME, MessageType
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemStatus
 
 _NO_HANDLE = 0xFF
 
@@ -31,6 +31,6 @@ def _fields(number: int) -> bytes:
     given = {
         field.name: _NO_HANDLE if field.name == "handle" else 0
         for field in (() if entry is None else entry.reply)
-        if field.kind in (Kind.U8, Kind.U32) and field.counts is None
+        if field.kind in (FieldKind.U8, FieldKind.U32) and field.counts is None
     }
     return REPLIES[number].write_present(given) if given else b""

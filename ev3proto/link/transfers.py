@@ -32,7 +32,7 @@ def is_of(entry: SystemDeclaration, handle: object, transfers: Mapping[int, str]
     return not is_listing(begun) if entry.transfer == "close" else _kind(entry.name) == _kind(begun)
 
 
-class Transfers(dict[int, str]):
+class OpenTransfers(dict[int, str]):
     """The open transfers: for each handle the name of the command that began it."""
 
     def learn(self, command: Message, reply: Message | None) -> None:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from ev3proto.checking import program_codes as codes
-from ev3proto.checking.codes import Code
+from ev3proto.checking.codes import FindingCode
 from ev3proto.checking.report import Finding
 from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
@@ -236,7 +236,7 @@ class _Check:
             )
 
 
-def _at(operation: Operation, argument: Argument, code: Code, message: str, help_: str) -> Finding:
+def _at(operation: Operation, argument: Argument, code: FindingCode, message: str, help_: str) -> Finding:
     return code.finding(argument.offset, argument.length, message, help_, operation.full_name, argument.name)
 
 

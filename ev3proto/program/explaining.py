@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking.checking import check
-from ev3proto.checking.codes import Code
+from ev3proto.checking.codes import FindingCode
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.program.checking import check_program
 from ev3proto.program.report import program_findings
@@ -14,7 +14,7 @@ from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.spans import Line
 
 
-def explained(code: Code, *, dialect: str = "official") -> Iterator[Line]:
+def explained(code: FindingCode, *, dialect: str = "official") -> Iterator[Line]:
     """Yields what `ev3proto check --explain` prints of a code."""
     if code.code in PROGRAM_CODES:
         program = check_program(code.example, dialect=dialect)

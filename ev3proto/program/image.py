@@ -236,7 +236,7 @@ def _target(operation: Operation) -> int:
     return operation.offset + operation.length + target
 
 
-class Entry(NamedTuple):
+class NewObject(NamedTuple):
     """An object to be written: its header, and its code or the number of the earlier object whose code it uses."""
 
     owner: int
@@ -246,7 +246,7 @@ class Entry(NamedTuple):
     shares: int | None = None
 
 
-def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
+def regular_offsets(entries: Sequence[NewObject]) -> Iterator[int]:
     """Yields the offsets of the codes in the usual layout: in order, without gaps, shared code once."""
     at = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
     starts: list[int] = []
@@ -258,11 +258,11 @@ def regular_offsets(entries: Sequence[Entry]) -> Iterator[int]:
         yield starts[entry.shares - 1] if is_shared and entry.shares is not None else start
 
 
-def _entry(part: CodeObject) -> Entry:
+def _entry(part: CodeObject) -> NewObject:
     if not isinstance(part, CodeObject):
         raise BuildError(f"objects cannot have {part!r}: each is a CodeObject")
     code = b"" if part.shares is not None else part.code
-    return Entry(part.owner, part.triggers, part.local_size, code, part.shares)
+    return NewObject(part.owner, part.triggers, part.local_size, code, part.shares)
 
 
 def parse(image: bytes | bytearray | memoryview, *, strict: bool = True, dialect: str = "official") -> Program:
@@ -318,7 +318,7 @@ def build(program: Program) -> bytes:
 def image_of(
     version: int,
     global_size: int,
-    entries: Sequence[Entry],
+    entries: Sequence[NewObject],
     defects: Defects = NO_DEFECTS,
 ) -> bytes:
     """Returns the image of objects. Raises BuildError, which names the field."""
@@ -348,7 +348,7 @@ def image_of(
     return head + table + body
 
 
-def _pieces(entries: Sequence[Entry], offsets: Sequence[int], defects: Defects) -> list[tuple[int, bytes]]:
+def _pieces(entries: Sequence[NewObject], offsets: Sequence[int], defects: Defects) -> list[tuple[int, bytes]]:
     """Yields the codes and what is between them, in the order of the image."""
     own = [(offset, entry.code) for entry, offset in zip(entries, offsets, strict=True) if entry.shares is None]
     return sorted([*defects.gaps, *own], key=lambda piece: piece[0]) if defects.offsets is not None else own

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ev3proto.errors import BuildError
-from ev3proto.program.image import Entry, Program, image_of, parse, regular_offsets
+from ev3proto.program.image import NewObject, Program, image_of, parse, regular_offsets
 from ev3proto.program.objects import Defects
 from ev3proto.program.parameters import ProgramParameter, code_of, table_bytes
 from ev3proto.tables.declaration import DATA16, Type
@@ -133,7 +133,7 @@ def _tried(
 def _image(program: AssembledProgram, version: int) -> bytes:
     """Returns the image of a program. Raises BuildError."""
     said, objects = program.settings, program.objects
-    entries = [Entry(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in objects]
+    entries = [NewObject(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in objects]
     regular = list(regular_offsets(entries))
     offsets = [it.settings.get("offset", offset) for it, offset in zip(objects, regular, strict=True)]
     headers = [it.settings.get("header", offset) for it, offset in zip(objects, offsets, strict=True)]

@@ -26,7 +26,7 @@ from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.record import Place, Record
 from ev3proto.checking.report import Severity
 from ev3proto.reading.given import Readable, given
-from ev3proto.reading.items import Code, Image, Item, Problem, Source, SourceKind
+from ev3proto.reading.items import Image, Item, Problem, ProblemCode, Source, SourceKind
 from ev3proto.reading.options import BUILTIN, ENGINES, Options
 from ev3proto.reading.parts import Reading
 
@@ -35,11 +35,11 @@ if TYPE_CHECKING:
     from ev3proto.reading.assembling import assembled as assembled
 
 __all__ = [
-    "Code",
     "Image",
     "Item",
     "Place",
     "Problem",
+    "ProblemCode",
     "Readable",
     "Record",
     "Severity",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
-from ev3proto.reading.items import Code, Problem, Source
+from ev3proto.reading.items import Problem, ProblemCode, Source
 from ev3proto.reading.kinds import LATIN_1
 from ev3proto.text.assembly.assembling import assembled as messages_of
 from ev3proto.text.assembly.errors import AssemblyError
@@ -40,4 +40,4 @@ def assembled(
                 yield Problem.in_source(name, one)
         if objects:
             sentence = "this is a program, not a frame; add -o FILE.rbf to make its image"
-            yield Problem(Place(name), Code.SOURCE, sentence)
+            yield Problem(Place(name), ProblemCode.SOURCE, sentence)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ev3proto.capture.record import Record
 from ev3proto.checking.report import Severity, Suggestion
 from ev3proto.messages import DirectCommand, Message, Operation
-from ev3proto.reading.items import Code, Problem
+from ev3proto.reading.items import Problem, ProblemCode
 from ev3proto.schema.frame import parse
 from ev3proto.tables.declaration import Effect
 from ev3proto.text.phrases import command_spans
@@ -30,19 +30,19 @@ class Faults:
         if message.fault is not None and not record.is_cut:
             meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
             place = place._replace(offset=message.fault.offset)
-            return Problem(place, Code.FAULT, f"fault at {message.fault}{''.join(meant)}")
+            return Problem(place, ProblemCode.FAULT, f"fault at {message.fault}{''.join(meant)}")
         if not is_text:
             return None
         if record.is_from_brick and record.seen.direction is None:
             # A command without its counter is a reply by its type.
             for one in self._meant(message):
                 content = plain_text(command_spans(parse(one.frame, strict=False, dialect=self._dialect)))
-                return Problem(place, Code.FAULT, f"did you mean {content}? {one.message}", Severity.HINT)
+                return Problem(place, ProblemCode.FAULT, f"did you mean {content}? {one.message}", Severity.HINT)
         never = _never_run(message)
         if never is None:
             return None
         said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
-        return Problem(place._replace(offset=never.offset), Code.FAULT, f"{said}; `ev3proto check` says more")
+        return Problem(place._replace(offset=never.offset), ProblemCode.FAULT, f"{said}; `ev3proto check` says more")
 
     def _meant(self, message: Message) -> tuple[Suggestion, ...]:
         """Returns what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""

@@ -48,7 +48,7 @@ class Source(NamedTuple):
     is_typed: bool = False
 
 
-class Code(StrEnum):
+class ProblemCode(StrEnum):
     """The codes of problems."""
 
     EMPTY = "empty"  # a source without anything in it
@@ -75,7 +75,7 @@ class Problem(NamedTuple):
     """
 
     place: Place
-    code: Code
+    code: ProblemCode
     message: str
     severity: Severity = Severity.ERROR
     excerpt: str = ""
@@ -90,8 +90,8 @@ class Problem(NamedTuple):
         """Returns the problem for an error or a warning of assembly in a file; `name` is empty for a text by itself."""
         place = Place(name, error.line, error.column)
         if not isinstance(error, Exception):
-            return cls(place, Code.SOURCE, error.reason, Severity.WARNING)
-        return cls(place, Code.SOURCE, error.reason, excerpt=error.excerpt if error.text.strip() else "")
+            return cls(place, ProblemCode.SOURCE, error.reason, Severity.WARNING)
+        return cls(place, ProblemCode.SOURCE, error.reason, excerpt=error.excerpt if error.text.strip() else "")
 
 
 Item: TypeAlias = Record | Image | Source | Problem

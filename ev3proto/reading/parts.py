@@ -17,7 +17,7 @@ from ev3proto.capture.text_log import TextLog
 from ev3proto.checking.report import Severity
 from ev3proto.errors import counted
 from ev3proto.reading.given import Given
-from ev3proto.reading.items import Code, Event, Image, Item, Problem, Source, SourceKind
+from ev3proto.reading.items import Event, Image, Item, Problem, ProblemCode, Source, SourceKind
 from ev3proto.reading.kinds import Contents, Kind, recognized
 from ev3proto.reading.options import BUILTIN, MIB, Options, Sources
 from ev3proto.reading.texts import TextReader
@@ -67,7 +67,7 @@ class Part:
         forgotten = self.account.forgotten - dropped * self.is_text
         if forgotten and self._can_answer:
             sentence = self._options.given_up(forgotten)
-            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
+            yield Problem(self._place, ProblemCode.MEMORY, sentence, Severity.WARNING)
 
     # What is missing
 
@@ -81,7 +81,7 @@ class Part:
         if self.is_text and not is_filtered and not account.frames:
             return self._texts.nothing()
         matches = " matches the filter" if is_filtered else ""
-        code = Code.NO_MATCH if is_filtered and account.frames + account.texts else Code.EMPTY
+        code = ProblemCode.NO_MATCH if is_filtered and account.frames + account.texts else ProblemCode.EMPTY
         return Problem(self._place, code, f"no {self._options.wanted} in {self.extent}{matches}{self.passed_over}")
 
     @property
@@ -136,7 +136,7 @@ class Part:
                 f"{choosing.given_up} commands count as unanswered before the end of the capture: the"
                 f" memory limit is {options.memory // MIB} MiB (--memory)"
             )
-            yield Problem(self._place, Code.MEMORY, sentence, Severity.WARNING)
+            yield Problem(self._place, ProblemCode.MEMORY, sentence, Severity.WARNING)
 
     def _all(self) -> Iterator[Event]:
         """Yields everything. Raises OSError if the file cannot be opened, unless that is to be a problem."""
@@ -161,7 +161,7 @@ class Part:
         return None if given.open is None or (self._is_for_wireshark and given.path is not None) else given.open()
 
     def _unreadable(self, error: Exception) -> Problem:
-        return Problem(self._place, Code.DAMAGED, f"cannot be read: {getattr(error, 'strerror', None) or error}")
+        return Problem(self._place, ProblemCode.DAMAGED, f"cannot be read: {getattr(error, 'strerror', None) or error}")
 
     @property
     def _is_for_wireshark(self) -> bool:
@@ -203,7 +203,7 @@ class Part:
         elif given.frame is not None:
             yield from self._frame(Pasted(given.frame, 1, ""))
         else:
-            yield Problem(self._place, Code.KIND, found.reason)
+            yield Problem(self._place, ProblemCode.KIND, found.reason)
 
     def _frame(self, frame: Pasted) -> Iterator[Event]:
         return self._texts.pasted(frame, Place(self.label, frame=frame.line))
@@ -211,7 +211,7 @@ class Part:
     def _image(self, file: CaptureFile) -> Image | Problem:
         if self._options.images:
             return Image(file.contents.read(MAX_IMAGE + 1), self._place)
-        return Problem(self._place, Code.KIND, "this is a program image (.rbf); `ev3proto decode` shows it")
+        return Problem(self._place, ProblemCode.KIND, "this is a program image (.rbf); `ev3proto decode` shows it")
 
     def _text(self, file: CaptureFile, found: Contents) -> Iterator[Event]:
         most = self._options.whole
@@ -237,10 +237,10 @@ class Part:
                             yield _skipped(event, self.label)
                     yield event
         except CaptureError as error:
-            yield Problem(self._place, Code.DAMAGED, str(error))
+            yield Problem(self._place, ProblemCode.DAMAGED, str(error))
         if places > MOST_SKIPPED:
             sentence = f"and {places - MOST_SKIPPED} more places; {lost} bytes in all could not be read"
-            yield Problem(self._place, Code.SKIPPED, sentence)
+            yield Problem(self._place, ProblemCode.SKIPPED, sentence)
 
     def _capture(self, file: CaptureFile | None, stream: BinaryIO | None) -> Capture:
         """Opens a capture: a file, or with tshark a stream or the file that was named."""
@@ -260,7 +260,7 @@ class Part:
 def _skipped(event: Skipped, label: str) -> Problem:
     route = event.route
     sentence = f"{route.source} to {route.target}: {event.reason}"
-    return Problem(Place(label, packet=event.number), Code.SKIPPED, sentence)
+    return Problem(Place(label, packet=event.number), ProblemCode.SKIPPED, sentence)
 
 
 class Reading:

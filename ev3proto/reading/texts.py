@@ -12,7 +12,7 @@ from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
 from ev3proto.checking.report import Severity
 from ev3proto.reading.given import Given
-from ev3proto.reading.items import Code, Problem, Source
+from ev3proto.reading.items import Problem, ProblemCode, Source
 from ev3proto.reading.kinds import introduction
 from ev3proto.reading.options import HOW_FRAMES_ARE_WRITTEN, Options, Sources
 from ev3proto.text.paste import Pasted, read_argument, read_bare, read_text
@@ -61,7 +61,7 @@ class TextReader:
                 return
             if sources is Sources.NO and looks_like_assembly(line):
                 sentence = f"{self._given.quoted} is assembly, not a frame; {_HOW_FRAMES_ARE_MADE}"
-                yield Problem(Place(), Code.TEXT, sentence)
+                yield Problem(Place(), ProblemCode.TEXT, sentence)
                 return
         yield from self.pasted(pasted or read_argument(text))
 
@@ -88,11 +88,11 @@ class TextReader:
         if pasted.problem is not None:
             yield self._wrong(pasted, pasted.problem, place)
         for note in pasted.notes:
-            yield Problem(place, Code.NOTE, note, Severity.HINT)
+            yield Problem(place, ProblemCode.NOTE, note, Severity.HINT)
         for unknown in pasted.unknown:
             if unknown.text:
                 at = Place("" if is_typed else given.label, unknown.line, unknown.column, offset=unknown.offset)
-                yield Problem(at, Code.UNKNOWN, f"{unknown.text!r} is unknown, read as 0", Severity.WARNING)
+                yield Problem(at, ProblemCode.UNKNOWN, f"{unknown.text!r} is unknown, read as 0", Severity.WARNING)
         if pasted.data:
             yield from self._log.records(pasted, place, is_typed=is_typed)
 
@@ -101,7 +101,7 @@ class TextReader:
         given, sentence = self._given, self._options.words.nothing
         if not sentence:
             sentence = f"no frame found{self._advice()}"
-        return Problem(Place(given.label), Code.EMPTY, sentence)
+        return Problem(Place(given.label), ProblemCode.EMPTY, sentence)
 
     def _advice(self) -> str:
         if self._given.is_program_source:
@@ -117,12 +117,12 @@ class TextReader:
             line = slip.line if slip.line > 1 or given.word is None else None
             place = place._replace(line=line, column=slip.column)
         if given.word is None or pasted.data:
-            return Problem(place, Code.TEXT, pasted.reason or problem)
+            return Problem(place, ProblemCode.TEXT, pasted.reason or problem)
         if given.looks_like_a_path:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)
         reason = pasted.reason if slip is not None and slip.column == 1 else problem
         sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
-        return Problem(place, Code.TEXT if given.word.strip() else Code.EMPTY, sentence)
+        return Problem(place, ProblemCode.TEXT if given.word.strip() else ProblemCode.EMPTY, sentence)
 
     def _noted(self, lines: Iterator[str]) -> Iterator[str]:
         """Yields the lines, and keeps the first that is neither empty nor a comment."""
@@ -166,9 +166,9 @@ class TextReader:
                     for frame in frames_in(entry, dialect=dialect):
                         yield self._log.made(parse(frame, strict=False, dialect=dialect), place, number)
                 except RecordError as error:
-                    yield Problem(place, Code.SOURCE, str(error))
+                    yield Problem(place, ProblemCode.SOURCE, str(error))
         except RecordError as error:
-            yield Problem(Place(label, error.line, error.column), Code.SOURCE, str(error))
+            yield Problem(Place(label, error.line, error.column), ProblemCode.SOURCE, str(error))
 
 
 def _is_record(line: str) -> bool:

@@ -25,7 +25,7 @@ from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, Header, build_frame
 from ev3proto.schema.wire_format import SENSOR_REPORT
-from ev3proto.tables.daisy import DaisyCommand
+from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, MOST_UNLOCK, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import (
     GLOBAL_BITS,
@@ -193,7 +193,7 @@ class EV3DirectReply(Packet):
     fields_desc = [StrField("memory", b"")]  # noqa: RUF012
 
 
-_CARRIES_OPERATIONS = {member.value for member in DaisyCommand if member.carries_operations}
+_CARRIES_OPERATIONS = {member.value for member in DaisySubCommand if member.carries_operations}
 
 
 class EV3DaisyCommand(Packet):
@@ -201,7 +201,9 @@ class EV3DaisyCommand(Packet):
 
     name = "EV3 daisy command"
     fields_desc = [  # noqa: RUF012
-        ByteEnumField("number", DaisyCommand.DOWNSTREAM.value, {member.value: member.name for member in DaisyCommand}),
+        ByteEnumField(
+            "number", DaisySubCommand.DOWNSTREAM.value, {member.value: member.name for member in DaisySubCommand}
+        ),
         ByteField("layer_from", 0),
         ByteField("layer_to", 1),
         ConditionalField(OperationsField("operations"), lambda packet: packet.number in _CARRIES_OPERATIONS),

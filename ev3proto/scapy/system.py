@@ -12,8 +12,7 @@ from ev3proto.errors import DecodeError
 from ev3proto.schema.fields import REPLIES
 from ev3proto.schema.wire_format import counted_text
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration, SystemStatus
-from ev3proto.tables.system import Field as Declared
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 
 PREFIX, BOOTLOADER, REPLY = "SYS_", "BOOTLOADER_", "_REPLY"
 """Prefixes and suffixes of layer names; the bootloader reuses names of the firmware."""
@@ -118,14 +117,14 @@ class EV3SystemReply(Packet):
         return int(isinstance(other, EV3SystemCommand) and self.number == other.number)
 
 
-def _name(declared: Declared) -> str:
+def _name(declared: SystemField) -> str:
     return RENAMED.get(declared.name, declared.name)
 
 
-_NUMBERS = {Kind.U8: ("B", ByteField), Kind.U16: ("<H", LEShortField), Kind.U32: ("<I", LEIntField)}
+_NUMBERS = {FieldKind.U8: ("B", ByteField), FieldKind.U16: ("<H", LEShortField), FieldKind.U32: ("<I", LEIntField)}
 
 
-def _field(declared: Declared, all_of_it: tuple[Declared, ...]) -> Field[Any, Any]:
+def _field(declared: SystemField, all_of_it: tuple[SystemField, ...]) -> Field[Any, Any]:
     name = _name(declared)
     if declared.kind in _NUMBERS:
         layout, field = _NUMBERS[declared.kind]
@@ -133,14 +132,14 @@ def _field(declared: Declared, all_of_it: tuple[Declared, ...]) -> Field[Any, An
             return field(name, 0)
         counted = next(other for other in all_of_it if other.name == declared.counts)
         return FieldLenField(name, None, length_of=_name(counted), fmt=layout)
-    if declared.kind is Kind.COUNTED_TEXT:
+    if declared.kind is FieldKind.COUNTED_TEXT:
         return CountedTextField(name, next(_name(other) for other in all_of_it if other.counts == declared.name))
-    if declared.kind is Kind.DATA:
+    if declared.kind is FieldKind.DATA:
         return StrField(name, b"")
-    return TextField(name, to_end=declared.kind is Kind.LISTING)
+    return TextField(name, to_end=declared.kind is FieldKind.LISTING)
 
 
-def _layer(name: str, entry: SystemDeclaration, fields: tuple[Declared, ...]) -> type[Packet]:
+def _layer(name: str, entry: SystemDeclaration, fields: tuple[SystemField, ...]) -> type[Packet]:
     described = {"name": name, "fields_desc": [_field(declared, fields) for declared in fields], "__doc__": entry.text}
     make: Any = type(Packet)
     layer: type[Packet] = make(name, (Packet,), {**described, "__module__": __package__})

@@ -15,7 +15,7 @@ from ev3proto.messages import FieldValue
 from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.wire_format import NUMBERS, fields_of
 from ev3proto.tables.mailboxes import message_of
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 
 
 def _text(value: Any, name: str, zeros: bool = False) -> bytes:
@@ -27,7 +27,7 @@ def _text(value: Any, name: str, zeros: bool = False) -> bytes:
 class Fields:
     """Reads and writes a system message's fields, one after the other to the end of the frame."""
 
-    def __init__(self, fields: tuple[Field, ...]) -> None:
+    def __init__(self, fields: tuple[SystemField, ...]) -> None:
         self.fields = fields
         self.by_name = {field.name: field for field in fields}
         self._counters = {field.counts: field.name for field in fields if field.counts is not None}
@@ -65,14 +65,14 @@ class Fields:
             return values, at, DecodeError(at, f"{counted(left, 'byte')} left over after the last field")
         return values, at, None
 
-    def _fault(self, field: Field, before: Mapping[str, FieldValue], data: bytes, at: int) -> DecodeError:
+    def _fault(self, field: SystemField, before: Mapping[str, FieldValue], data: bytes, at: int) -> DecodeError:
         """Returns why a field cannot be read."""
         counter = self._counters.get(field.name)
         if counter is None:
             return DecodeError(at, _too_short(field), truncated=True)
         length, left = before[counter], len(data) - at
         assert isinstance(length, int)
-        if field.kind is Kind.DATA:
+        if field.kind is FieldKind.DATA:
             return DecodeError(at, _wrong_count(counter, length, left))
         if left < length:
             return DecodeError(at, f"a text of {length} bytes runs past the end of the frame", truncated=True)
@@ -144,25 +144,25 @@ class Fields:
 
     def _size(self, name: str, value: Mapping[str, Any]) -> int:
         """Returns the size of a counted field in bytes, including a text's zero, as in the firmware."""
-        if self.by_name[name].kind is Kind.COUNTED_TEXT:
+        if self.by_name[name].kind is FieldKind.COUNTED_TEXT:
             return len(_text(value[name], name)) + 1
         if not isinstance(value[name], bytes):
             raise BuildError(f"{name} takes bytes, not {value[name]!r}")
         return len(value[name])
 
-    def _piece(self, field: Field, value: Any, values: Mapping[str, Any]) -> bytes:
+    def _piece(self, field: SystemField, value: Any, values: Mapping[str, Any]) -> bytes:
         counter = self._counters.get(field.name)
         if field.kind in NUMBERS:
             high = (1 << 8 * NUMBERS[field.kind].sizeof()) - 1
             if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= high:
                 raise BuildError(f"{field.name} cannot be {value!r}: it is a whole number from 0 to {high}")
-        elif field.kind is Kind.DATA:
+        elif field.kind is FieldKind.DATA:
             if not isinstance(value, bytes):
                 raise BuildError(f"{field.name} takes bytes, not {value!r}")
             if counter is not None and len(value) != values[counter]:
                 raise BuildError(_wrong_count(counter, values[counter], len(value)))
         else:
-            size = len(_text(value, field.name, zeros=field.kind is not Kind.TEXT))
+            size = len(_text(value, field.name, zeros=field.kind is not FieldKind.TEXT))
             if counter is not None and values[counter] not in (size, size + 1):
                 raise BuildError(
                     f"{value!r} has {size} bytes, {size + 1} with its zero, but its length says {values[counter]}"
@@ -187,8 +187,8 @@ def _wrong_count(counter: str, stated: int, size: int) -> str:
     return f"{counter} says {stated} bytes, but {size} follow to the end of the frame"
 
 
-def _too_short(field: Field) -> str:
-    if field.kind is Kind.TEXT:
+def _too_short(field: SystemField) -> str:
+    if field.kind is FieldKind.TEXT:
         return f"the text {field.name} runs past the end of the frame: its terminating zero is missing"
     return f"the frame ends before the field {field.name} ({field.kind.value})"
 

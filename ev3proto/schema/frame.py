@@ -192,7 +192,7 @@ class FrameReader:
         operations: tuple[Operation, ...] = ()
         fault: DecodeError | None = None
         try:
-            command = daisy.DaisyCommand(number)
+            command = daisy.DaisySubCommand(number)
         except ValueError:
             fault = DecodeError(at, f"unknown daisy sub-command 0x{number:02X}")
         else:

@@ -55,13 +55,13 @@ from construct import (
 
 from ev3proto.errors import BuildError, DecodeError
 from ev3proto.tables import OPCODES, operations
-from ev3proto.tables.daisy import SENSOR_DATA_SIZE, DaisyCommand
+from ev3proto.tables.daisy import SENSOR_DATA_SIZE, DaisySubCommand
 from ev3proto.tables.declaration import DATA8, Declaration, Parameter, Type
 from ev3proto.tables.encoding import COUNTS, STRING_CODING
 from ev3proto.tables.enumerations import FORMAT_TYPES
 from ev3proto.tables.frame import GLOBAL_BITS, LOCAL_BITS, MAX_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 from ev3proto.tables.mailboxes import message_of
-from ev3proto.tables.system import LONG_COMMANDS, SYSTEM, Field, Kind, SystemStatus
+from ev3proto.tables.system import LONG_COMMANDS, SYSTEM, FieldKind, SystemField, SystemStatus
 
 # Arguments: an identification byte, and the value that it announces
 
@@ -254,12 +254,12 @@ def _byte_code(operation: Construct) -> Construct:
 
 # System messages: a command with its fields; a reply with the command, the status, its fields
 
-NUMBERS: dict[Kind, Construct] = {Kind.U8: Int8ul, Kind.U16: Int16ul, Kind.U32: Int32ul}
-KINDS: dict[Kind, Construct] = {
+NUMBERS: dict[FieldKind, Construct] = {FieldKind.U8: Int8ul, FieldKind.U16: Int16ul, FieldKind.U32: Int32ul}
+KINDS: dict[FieldKind, Construct] = {
     **NUMBERS,
-    Kind.TEXT: TEXT,
-    Kind.DATA: GreedyBytes,
-    Kind.LISTING: StringEncoded(GreedyBytes, STRING_CODING),
+    FieldKind.TEXT: TEXT,
+    FieldKind.DATA: GreedyBytes,
+    FieldKind.LISTING: StringEncoded(GreedyBytes, STRING_CODING),
 }
 
 
@@ -282,7 +282,7 @@ def _length_of(name: str) -> Callable[[Any], int]:
     return lambda each: len(message_of(each[name]))
 
 
-def _ends_before(field: Field, may_end: Callable[[Any], bool]) -> Callable[[Any], bool]:
+def _ends_before(field: SystemField, may_end: Callable[[Any], bool]) -> Callable[[Any], bool]:
     def ends(each: Any) -> bool:
         is_missing = each.keys().isdisjoint({field.name, field.counts}) if each._building else not _left(each._io)
         return is_missing and (field.optional or may_end(each))
@@ -290,7 +290,7 @@ def _ends_before(field: Field, may_end: Callable[[Any], bool]) -> Callable[[Any]
     return ends
 
 
-def fields_of(declared: tuple[Field, ...], may_end: Callable[[Any], bool] = lambda _: False) -> Struct:
+def fields_of(declared: tuple[SystemField, ...], may_end: Callable[[Any], bool] = lambda _: False) -> Struct:
     """Returns the fields of a system message, to the end of the bytes.
 
     Args:
@@ -303,7 +303,7 @@ def fields_of(declared: tuple[Field, ...], may_end: Callable[[Any], bool] = lamb
         if field.counts is not None:
             node = Default(NUMBERS[field.kind], _length_of(field.counts))
         elif field.name in counters:
-            counted = counted_text if field.kind is Kind.COUNTED_TEXT else _counted_data
+            counted = counted_text if field.kind is FieldKind.COUNTED_TEXT else _counted_data
             node = counted(counters[field.name])
         else:
             node = KINDS[field.kind]
@@ -345,10 +345,10 @@ SENSOR_REPORT = Struct(
 
 
 def _daisy_bodies(byte_code: Construct) -> dict[str, Construct]:
-    command = Enum(Int8ul, DaisyCommand)
+    command = Enum(Int8ul, DaisySubCommand)
     layers = ("layer_from" / Int8ul, "layer_to" / Int8ul)
     operations_or_bytes = Select(byte_code, GreedyBytes)
-    payloads = {each: operations_or_bytes if each.carries_operations else GreedyBytes for each in DaisyCommand}
+    payloads = {each: operations_or_bytes if each.carries_operations else GreedyBytes for each in DaisySubCommand}
     payload = Switch(lambda each: _number(command, each.command), payloads, UNDEFINED)
     return {
         "daisy-command": Struct("command" / command, *layers, "payload" / payload),

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables.declaration import Direction, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import RANGES, Range, limits_of
+from ev3proto.tables.encoding import RANGES, NumberRange, limits_of
 from ev3proto.tables.validation import LABELS
 
 UNTYPED_SIZE = 4
@@ -86,7 +86,7 @@ class ParameterFacts:
         kind, direction = parameter.type, parameter.direction
         is_untyped = kind is Type.ARRAY_TYPED
         self.parameter = parameter
-        self.limits: Range | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
+        self.limits: NumberRange | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
         self.validated = _NOT_VALIDATED if is_element else requirement(parameter)
         self.is_text = kind is Type.STRING
         self.size = size = max(kind.size, 1)

@@ -127,7 +127,7 @@ class Reading(NamedTuple):
     is_fault: bool = False
 
 
-class Code:
+class CommandCode:
     """The code of a direct command, at least one byte after its header.
 
     data    the whole frame

@@ -14,7 +14,7 @@ from ev3proto.semantics.footprint import Footprint, results
 from ev3proto.tables import mailboxes
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, Kind
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
 
 ValueType = int | float | str | bytes | list[int] | list[float]
 """The types of values from replies."""
@@ -114,8 +114,8 @@ def system_values(reply: SystemReply) -> Iterator[Value]:
         at += length
 
 
-_LENGTHS = {Kind.U8: 1, Kind.U16: 2, Kind.U32: 4}
-_TERMINATED = (Kind.TEXT, Kind.COUNTED_TEXT)
+_LENGTHS = {FieldKind.U8: 1, FieldKind.U16: 2, FieldKind.U32: 4}
+_TERMINATED = (FieldKind.TEXT, FieldKind.COUNTED_TEXT)
 
 
 def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:

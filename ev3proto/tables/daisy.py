@@ -3,7 +3,7 @@
 from enum import IntEnum
 
 
-class DaisyCommand(IntEnum):
+class DaisySubCommand(IntEnum):
     """The sub-command after the message type of a daisy message."""
 
     DOWNSTREAM = 0xA0
@@ -16,16 +16,16 @@ class DaisyCommand(IntEnum):
     @property
     def carries_operations(self) -> bool:
         """True where the payload is byte code for a brick further down."""
-        return self in (DaisyCommand.DOWNSTREAM, DaisyCommand.DOWNSTREAM_WITH_BUSY)
+        return self in (DaisySubCommand.DOWNSTREAM, DaisySubCommand.DOWNSTREAM_WITH_BUSY)
 
 
 TEXTS = {
-    DaisyCommand.DOWNSTREAM: "Forwards operations to a brick further down",
-    DaisyCommand.UPSTREAM: "Passes sensor data up towards the first brick",
-    DaisyCommand.INFO: "Asks which sensors a brick further down has",
-    DaisyCommand.UNLOCK_SLAVE: "Allows the brick below to answer again",
-    DaisyCommand.SET_TYPE: "Sets type and mode of a sensor further down",
-    DaisyCommand.DOWNSTREAM_WITH_BUSY: "Forwards operations, and names the motors to report as busy",
+    DaisySubCommand.DOWNSTREAM: "Forwards operations to a brick further down",
+    DaisySubCommand.UPSTREAM: "Passes sensor data up towards the first brick",
+    DaisySubCommand.INFO: "Asks which sensors a brick further down has",
+    DaisySubCommand.UNLOCK_SLAVE: "Allows the brick below to answer again",
+    DaisySubCommand.SET_TYPE: "Sets type and mode of a sensor further down",
+    DaisySubCommand.DOWNSTREAM_WITH_BUSY: "Forwards operations, and names the motors to report as busy",
 }
 """A one-line description of each sub-command."""
 

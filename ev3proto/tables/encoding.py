@@ -114,7 +114,7 @@ STRINGS = frozenset(byte for byte, row in _BY_BYTE.items() if row.encoding.kind 
 """The identification bytes of strings."""
 
 
-class Range(NamedTuple):
+class NumberRange(NamedTuple):
     """The numbers of a type, both ends included, and the bit pattern that means "not a number"."""
 
     low: int
@@ -123,20 +123,20 @@ class Range(NamedTuple):
 
 
 RANGES = {
-    Type.DATA8: Range(-127, 127, -128),
-    Type.DATA16: Range(-32767, 32767, -32768),
-    Type.DATA32: Range(-2147483647, 2147483647, -2147483648),
-    Type.HANDLE: Range(-32767, 32767, -32768),
-    Type.ARRAY_TYPED: Range(-2147483647, 2147483647, -2147483648),
-    Type.LABEL: Range(-2147483647, 2147483647, -2147483648),
+    Type.DATA8: NumberRange(-127, 127, -128),
+    Type.DATA16: NumberRange(-32767, 32767, -32768),
+    Type.DATA32: NumberRange(-2147483647, 2147483647, -2147483648),
+    Type.HANDLE: NumberRange(-32767, 32767, -32768),
+    Type.ARRAY_TYPED: NumberRange(-2147483647, 2147483647, -2147483648),
+    Type.LABEL: NumberRange(-2147483647, 2147483647, -2147483648),
 }
 """The valid integer constants of each type. A label is a number 0 to 31 or a jump."""
 
-COUNTS = Range(0, 127, -128)
+COUNTS = NumberRange(0, 127, -128)
 """The valid counts of a list that has its own: a count fits a signed byte."""
 
 
-def limits_of(parameter: Parameter) -> Range | None:
+def limits_of(parameter: Parameter) -> NumberRange | None:
     """Returns the integer constants that the argument of a parameter can be; None if it is not a whole number."""
     return COUNTS if parameter.counts else RANGES.get(parameter.type)
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ev3proto.tables.declaration import Effect
 
 
-class Kind(Enum):
+class FieldKind(Enum):
     """The encoding of a field in the frame."""
 
     U8 = "u8"
@@ -21,7 +21,7 @@ class Kind(Enum):
     LISTING = "listing"
 
 
-class Field(NamedTuple):
+class SystemField(NamedTuple):
     """One field of a system message.
 
     name      its name in this package, in JSON and in filters
@@ -35,7 +35,7 @@ class Field(NamedTuple):
     """
 
     name: str
-    kind: Kind
+    kind: FieldKind
     text: str
     counts: str | None = None
     optional: bool = False
@@ -82,8 +82,8 @@ class SystemDeclaration(NamedTuple):
     number: int
     name: str
     text: str
-    request: tuple[Field, ...] = ()
-    reply: tuple[Field, ...] = ()
+    request: tuple[SystemField, ...] = ()
+    reply: tuple[SystemField, ...] = ()
     answered: bool = True
     bootloader: bool = False
     transfer: str | None = None
@@ -93,25 +93,27 @@ class SystemDeclaration(NamedTuple):
     statuses: tuple[tuple[SystemStatus, str], ...] = ()
 
 
-_PATH = Field(
-    "path", Kind.TEXT, "path of the file or folder, absolute or relative to /home/root/lms2012/sys", is_public=True
+_PATH = SystemField(
+    "path", FieldKind.TEXT, "path of the file or folder, absolute or relative to /home/root/lms2012/sys", is_public=True
 )
-_HANDLE = Field("handle", Kind.U8, "the open file on the brick, as its reply to BEGIN_... gave it")
-_REPLY_HANDLE = Field("handle", Kind.U8, "the open file, for the messages that follow")
+_HANDLE = SystemField("handle", FieldKind.U8, "the open file on the brick, as its reply to BEGIN_... gave it")
+_REPLY_HANDLE = SystemField("handle", FieldKind.U8, "the open file, for the messages that follow")
 FLASH_SIZE = 16 << 20
 """Bytes of a brick's flash memory."""
 
-_SIZE = Field("size", Kind.U32, "bytes of the whole file")
-_MAX_BYTES = Field("max_bytes", Kind.U16, "maximum number of content bytes in the reply")
-_DATA = Field("data", Kind.DATA, "a piece of the file's contents")
-_LIST = Field("list", Kind.LISTING, "a piece of the listing: lines with MD5, size and name, or a folder's name and /")
-_ADDRESS = Field("address", Kind.U32, "address of the first byte in flash memory")
-_IMAGE_SIZE = Field("image_size", Kind.U32, "bytes of the image or region")
+_SIZE = SystemField("size", FieldKind.U32, "bytes of the whole file")
+_MAX_BYTES = SystemField("max_bytes", FieldKind.U16, "maximum number of content bytes in the reply")
+_DATA = SystemField("data", FieldKind.DATA, "a piece of the file's contents")
+_LIST = SystemField(
+    "list", FieldKind.LISTING, "a piece of the listing: lines with MD5, size and name, or a folder's name and /"
+)
+_ADDRESS = SystemField("address", FieldKind.U32, "address of the first byte in flash memory")
+_IMAGE_SIZE = SystemField("image_size", FieldKind.U32, "bytes of the image or region")
 _PIN = (
-    Field("mac_length", Kind.U8, "bytes of the MAC address", counts="mac"),
-    Field("mac", Kind.COUNTED_TEXT, "MAC address of the other device, in hex"),
-    Field("pin_length", Kind.U8, "bytes of the PIN", counts="pin"),
-    Field("pin", Kind.COUNTED_TEXT, "the PIN"),
+    SystemField("mac_length", FieldKind.U8, "bytes of the MAC address", counts="mac"),
+    SystemField("mac", FieldKind.COUNTED_TEXT, "MAC address of the other device, in hex"),
+    SystemField("pin_length", FieldKind.U8, "bytes of the PIN", counts="pin"),
+    SystemField("pin", FieldKind.COUNTED_TEXT, "the PIN"),
 )
 
 SYSTEM = (
@@ -119,7 +121,7 @@ SYSTEM = (
         0x92,
         "BEGIN_DOWNLOAD",
         "Opens a file on the brick for writing and announces its size",
-        (_SIZE, _PATH, Field("data", Kind.DATA, "the first bytes of the file, usually none", optional=True)),
+        (_SIZE, _PATH, SystemField("data", FieldKind.DATA, "the first bytes of the file, usually none", optional=True)),
         (_REPLY_HANDLE,),
         transfer="begin",
         effects=(Effect.WRITES_FILES,),
@@ -218,9 +220,9 @@ SYSTEM = (
         0x98,
         "CLOSE_FILEHANDLE",
         "Closes an open file before its end",
-        (_HANDLE, Field("hash", Kind.DATA, "MD5 of the file, often omitted", optional=True, most=16)),
+        (_HANDLE, SystemField("hash", FieldKind.DATA, "MD5 of the file, often omitted", optional=True, most=16)),
         # The firmware's structure has a handle in the reply, the published text has not; both occur.
-        (Field("handle", Kind.U8, "the file that was closed", optional=True),),
+        (SystemField("handle", FieldKind.U8, "the file that was closed", optional=True),),
         transfer="close",
         statuses=((SystemStatus.UNKNOWN_HANDLE, "no file is open under that handle"),),
         effects=(Effect.READS,),
@@ -230,7 +232,7 @@ SYSTEM = (
         "LIST_FILES",
         "Lists a folder and fetches the first piece of the listing",
         (_MAX_BYTES, _PATH),
-        (Field("list_size", Kind.U32, "bytes of the whole listing"), _REPLY_HANDLE, _LIST),
+        (SystemField("list_size", FieldKind.U32, "bytes of the whole listing"), _REPLY_HANDLE, _LIST),
         transfer="begin",
         effects=(Effect.VARIES, Effect.READS),
         statuses=(
@@ -282,7 +284,7 @@ SYSTEM = (
         "LIST_OPEN_HANDLES",
         "Asks which file handles are in use",
         (),
-        (Field("handles", Kind.DATA, "one bit per handle, set while it is in use"),),
+        (SystemField("handles", FieldKind.DATA, "one bit per handle, set while it is in use"),),
         effects=(Effect.READS,),
     ),
     SystemDeclaration(
@@ -291,12 +293,12 @@ SYSTEM = (
         "Puts a message into a mailbox of the program that runs on the brick",
         (
             # The published text counts the name without its zero; the firmware counts the zero, too.
-            Field("name_length", Kind.U8, "bytes of the name, with or without its zero", counts="name"),
-            Field("name", Kind.COUNTED_TEXT, "the mailbox", is_public=True),
-            Field("payload_length", Kind.U16, "bytes of the message", counts="payload"),
-            Field(
+            SystemField("name_length", FieldKind.U8, "bytes of the name, with or without its zero", counts="name"),
+            SystemField("name", FieldKind.COUNTED_TEXT, "the mailbox", is_public=True),
+            SystemField("payload_length", FieldKind.U16, "bytes of the message", counts="payload"),
+            SystemField(
                 "payload",
-                Kind.DATA,
+                FieldKind.DATA,
                 "the message: a text (with its zero), a number (a single), a logic value (one byte), or other bytes",
                 is_message=True,
             ),
@@ -325,14 +327,14 @@ SYSTEM = (
         0xA1,
         "SETBUNDLEID",
         "Sets the bundle identifier that the brick shows to Apple devices",
-        (Field("id", Kind.TEXT, "the identifier", most=24),),
+        (SystemField("id", FieldKind.TEXT, "the identifier", most=24),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemDeclaration(
         0xA2,
         "SETBUNDLESEEDID",
         "Sets the bundle seed identifier that the brick shows to Apple devices",
-        (Field("id", Kind.TEXT, "the identifier", most=11),),
+        (SystemField("id", FieldKind.TEXT, "the identifier", most=11),),
         effects=(Effect.CHANGES_SETTINGS,),
     ),
     SystemDeclaration(
@@ -355,7 +357,7 @@ SYSTEM = (
         0xF2,
         "DOWNLOAD_DATA",
         "Writes the next piece of the image",
-        (Field("data", Kind.DATA, "a piece of the image", most=1018),),
+        (SystemField("data", FieldKind.DATA, "a piece of the image", most=1018),),
         bootloader=True,
         effects=(Effect.WRITES_FIRMWARE,),
     ),
@@ -370,7 +372,7 @@ SYSTEM = (
         "GET_CHECKSUM",
         "Asks for the checksum of a region of the flash memory",
         (_ADDRESS, _IMAGE_SIZE),
-        (Field("checksum", Kind.U32, "CRC-32 of the region"),),
+        (SystemField("checksum", FieldKind.U32, "CRC-32 of the region"),),
         bootloader=True,
         effects=(Effect.COMPUTES,),
     ),
@@ -381,8 +383,8 @@ SYSTEM = (
         (),
         # Published sources disagree on the order of the two.
         (
-            Field("hardware_version", Kind.U32, "version of the hardware"),
-            Field("firmware_version", Kind.U32, "version of the updater"),
+            SystemField("hardware_version", FieldKind.U32, "version of the hardware"),
+            SystemField("firmware_version", FieldKind.U32, "version of the updater"),
         ),
         bootloader=True,
         effects=(Effect.COMPUTES,),

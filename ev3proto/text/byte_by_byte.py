@@ -33,7 +33,7 @@ _TYPE = LENGTH_FIELD + COUNTER_SIZE
 _SIZE_BITS = 3
 
 
-class Part(NamedTuple):
+class HeaderField(NamedTuple):
     """A field of a header.
 
     name    `length`, `counter`, `type`, `memory`; of system commands also `command` and `status`
@@ -48,7 +48,7 @@ class Part(NamedTuple):
     text: str
 
 
-def header_parts(message: Message) -> Iterator[Part]:
+def header_parts(message: Message) -> Iterator[HeaderField]:
     """Yields the fields of a message's header, as far as the frame has them."""
     frame = message.build()
     for part in _parts(message, frame):
@@ -56,22 +56,24 @@ def header_parts(message: Message) -> Iterator[Part]:
             yield part
 
 
-def _parts(message: Message, frame: bytes) -> Iterator[Part]:
+def _parts(message: Message, frame: bytes) -> Iterator[HeaderField]:
     stated, right = int.from_bytes(frame[:LENGTH_FIELD], "little"), len(frame) - LENGTH_FIELD
     wrong = "" if stated == right else f" according to it; in fact {right}"
-    yield Part("length", 0, LENGTH_FIELD, f"{counted(stated, 'byte')} after this field{wrong}")
-    yield Part("counter", LENGTH_FIELD, COUNTER_SIZE, f"{message.counter}; a reply has the counter of its command")
+    yield HeaderField("length", 0, LENGTH_FIELD, f"{counted(stated, 'byte')} after this field{wrong}")
+    yield HeaderField(
+        "counter", LENGTH_FIELD, COUNTER_SIZE, f"{message.counter}; a reply has the counter of its command"
+    )
     if message.type is None:
         return
     meaning = TYPE_MEANINGS[message.type]
-    yield Part("type", _TYPE, 1, f"0x{message.type:02X} {message.type.name}: {meaning}")
+    yield HeaderField("type", _TYPE, 1, f"0x{message.type:02X} {message.type.name}: {meaning}")
     if isinstance(message, DirectCommand):
         memory = f"{message.global_size} bytes global, for the reply; {message.local_size} bytes local, for its own use"
-        yield Part("memory", HEADER_SIZE, COMMAND_HEADER_SIZE - HEADER_SIZE, memory)
+        yield HeaderField("memory", HEADER_SIZE, COMMAND_HEADER_SIZE - HEADER_SIZE, memory)
     elif isinstance(message, SystemCommand | SystemReply):
-        yield Part("command", HEADER_SIZE, 1, f"0x{message.number:02X} {command_name(message)}")
+        yield HeaderField("command", HEADER_SIZE, 1, f"0x{message.number:02X} {command_name(message)}")
         if isinstance(message, SystemReply):
-            yield Part("status", HEADER_SIZE + 1, 1, f"{message.status_code} {status_name(message)}")
+            yield HeaderField("status", HEADER_SIZE + 1, 1, f"{message.status_code} {status_name(message)}")
 
 
 def byte_lines(message: Message) -> list[str]:

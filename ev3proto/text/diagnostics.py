@@ -18,7 +18,7 @@ from operator import attrgetter
 from textwrap import wrap
 
 from ev3proto.checking.checking import check
-from ev3proto.checking.codes import Code
+from ev3proto.checking.codes import FindingCode
 from ev3proto.checking.report import Finding, Fix, Report, Severity, Suggestion, difference
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
@@ -327,7 +327,7 @@ def fixed(
     yield from diagnostics(fix.report, findings, place=place, dialect=dialect, nearest=())
 
 
-def explanation(code: Code, found: Iterable[Line], shown: Callable[[bytes], str]) -> Iterator[Line]:
+def explanation(code: FindingCode, found: Iterable[Line], shown: Callable[[bytes], str]) -> Iterator[Line]:
     """Yields the explanation of a code, with its examples as `shown` writes bytes, and what is found in the first."""
     yield Line([(f"{code.severity}[{code.code}]", ROLES[code.severity]), (f": {code.title}", Role.HEADING)])
     yield Line()

@@ -20,7 +20,7 @@ from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.replies import guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
-from ev3proto.tables.daisy import DaisyCommand as DaisySubCommand
+from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, STRING_CODING, TEXT
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
 from ev3proto.text.phrases import (

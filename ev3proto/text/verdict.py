@@ -9,7 +9,7 @@ from ev3proto.checking.report import Finding, Report
 TAKES, TAKES_BUT, REFUSES = "takes", "but", "refuses"
 
 
-class Verdict(NamedTuple):
+class VerdictSentence(NamedTuple):
     """A verdict.
 
     kind  TAKES, TAKES_BUT or REFUSES
@@ -20,15 +20,15 @@ class Verdict(NamedTuple):
     text: str
 
 
-def verdict(report: Report) -> Verdict:
+def verdict(report: Report) -> VerdictSentence:
     """Returns what the brick makes of a frame."""
     if report.accepted and not report.findings:
-        return Verdict(TAKES, "The brick takes it.")
+        return VerdictSentence(TAKES, "The brick takes it.")
     if report.accepted:
-        return Verdict(TAKES_BUT, f"The brick takes it, but {_first(report.findings).message}.")
+        return VerdictSentence(TAKES_BUT, f"The brick takes it, but {_first(report.findings).message}.")
     found = [each for each in report.findings if each.offset == report.rejected_at] or list(report.findings)
     because = f", because {_first(found).message}" if found else ""
-    return Verdict(REFUSES, f"The brick refuses it at byte {report.rejected_at or 0}{because}.")
+    return VerdictSentence(REFUSES, f"The brick refuses it at byte {report.rejected_at or 0}{because}.")
 
 
 def _first(findings: tuple[Finding, ...] | list[Finding]) -> Finding:

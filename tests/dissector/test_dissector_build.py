@@ -18,7 +18,7 @@ from ev3proto.generate.dissector.build import files
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
-from ev3proto.tables.system import SYSTEM, Kind
+from ev3proto.tables.system import SYSTEM, FieldKind
 
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
@@ -173,13 +173,13 @@ def names_of(enum: Enumeration) -> dict[int, str]:
 
 
 SYSTEM_TYPES = {
-    Kind.U8: "FT_UINT8",
-    Kind.U16: "FT_UINT16",
-    Kind.U32: "FT_UINT32",
-    Kind.TEXT: "FT_STRING",
-    Kind.COUNTED_TEXT: "FT_STRING",
-    Kind.LISTING: "FT_STRING",
-    Kind.DATA: "FT_BYTES",
+    FieldKind.U8: "FT_UINT8",
+    FieldKind.U16: "FT_UINT16",
+    FieldKind.U32: "FT_UINT32",
+    FieldKind.TEXT: "FT_STRING",
+    FieldKind.COUNTED_TEXT: "FT_STRING",
+    FieldKind.LISTING: "FT_STRING",
+    FieldKind.DATA: "FT_BYTES",
 }
 
 

@@ -45,7 +45,7 @@ from ev3proto.messages import (
 from ev3proto.tables import operations
 from ev3proto.tables.daisy import SENSOR_DATA_SIZE
 from ev3proto.tables.declaration import DIALECTS, Parameter, Type
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Kind
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind
 from support.wireshark import Tshark
 
 # Records
@@ -402,8 +402,8 @@ def kinds() -> dict[str, type]:
     return found
 
 
-_KINDS = {Kind.U8: int, Kind.U16: int, Kind.U32: int, Kind.DATA: bytes}
-_KINDS |= dict.fromkeys((Kind.TEXT, Kind.COUNTED_TEXT, Kind.LISTING), str)
+_KINDS = {FieldKind.U8: int, FieldKind.U16: int, FieldKind.U32: int, FieldKind.DATA: bytes}
+_KINDS |= dict.fromkeys((FieldKind.TEXT, FieldKind.COUNTED_TEXT, FieldKind.LISTING), str)
 
 
 def _kind(declared: Type) -> type:
@@ -676,10 +676,10 @@ def _system_fields(message: SystemCommand | SystemReply, at: int) -> Iterator[It
             at += length
 
 
-def _size(kind: Kind, value: FieldValue) -> int:
+def _size(kind: FieldKind, value: FieldValue) -> int:
     if isinstance(value, int):
-        return {Kind.U8: 1, Kind.U16: 2, Kind.U32: 4}[kind]
-    return len(value) + (kind in (Kind.TEXT, Kind.COUNTED_TEXT))
+        return {FieldKind.U8: 1, FieldKind.U16: 2, FieldKind.U32: 4}[kind]
+    return len(value) + (kind in (FieldKind.TEXT, FieldKind.COUNTED_TEXT))
 
 
 def _daisy_items(message: DaisyCommand | DaisyReply, at: int) -> Iterator[Item]:

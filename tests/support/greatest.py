@@ -19,7 +19,7 @@ from ev3proto.messages import Variable
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import LOCAL
-from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration
 from support.bricks import command, op
 
 BATTERY = command(op("UI_READ.GET_LBATT", GV(0)), globals=1, counter=99)
@@ -116,12 +116,12 @@ def codes_of(declaration: Declaration) -> Iterator[list[bytes]]:
 
 def system_frame(entry: SystemDeclaration, path: str) -> bytes:
     """Returns the frame of a system command with the greatest numbers, and a path."""
-    greatest: dict[Kind, int | str] = {
-        Kind.U8: 255,
-        Kind.U16: 65535,
-        Kind.U32: 2**32 - 1,
-        Kind.TEXT: path,
-        Kind.COUNTED_TEXT: "n" * 200,
+    greatest: dict[FieldKind, int | str] = {
+        FieldKind.U8: 255,
+        FieldKind.U16: 65535,
+        FieldKind.U32: 2**32 - 1,
+        FieldKind.TEXT: path,
+        FieldKind.COUNTED_TEXT: "n" * 200,
     }
     sizes = {255: 1, 65535: 2, 2**32 - 1: 4}
     body = bytes((1, 0, 1, entry.number))

@@ -9,7 +9,7 @@ from support.cases import each
 
 from ev3proto.tables import OPCODES, clashes, enumerations, operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Effect, Enumeration, Parameter, Role, Type, declarations
-from ev3proto.tables.system import SYSTEM, Kind
+from ev3proto.tables.system import SYSTEM, FieldKind
 
 pytestmark = pytest.mark.portable
 
@@ -99,7 +99,7 @@ def test_system_commands() -> None:
             names = [field.name for field in fields]
             assert all(field.counts in (None, *names) for field in fields)
             # A value without a length takes all remaining bytes, so it must be the last.
-            assert all(field.kind not in (Kind.DATA, Kind.LISTING) for field in fields[:-1])
+            assert all(field.kind not in (FieldKind.DATA, FieldKind.LISTING) for field in fields[:-1])
 
 
 def test_what_harms_a_brick_is_named() -> None:

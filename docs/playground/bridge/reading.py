@@ -21,7 +21,7 @@ from ev3proto.program.listing import listing
 from ev3proto.reading.assembling import assembled
 from ev3proto.reading.faults import Faults
 from ev3proto.reading.given import Given, given_word
-from ev3proto.reading.items import Code, Event, Image, Problem, Source, SourceKind
+from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, SourceKind
 from ev3proto.reading.lines import announcement_line, message_lines, record_seen
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
@@ -214,13 +214,13 @@ class Input:
         try:
             program = parse_program(image, strict=False)
         except DecodeError as error:
-            self._problem(Problem(place, Code.DAMAGED, str(error)))
+            self._problem(Problem(place, ProblemCode.DAMAGED, str(error)))
         else:
             self._number += 1
             self._shown[self._number] = image
             self._rows.add(listing(program), self._number)
             for fault in program.faults:
-                self._problem(Problem(place, Code.FAULT, f"fault at {fault}"))
+                self._problem(Problem(place, ProblemCode.FAULT, f"fault at {fault}"))
         self._findings.program(check_program(image))
 
     def _problem(self, problem: Problem) -> None:

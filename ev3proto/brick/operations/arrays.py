@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE, Array
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure
-from ev3proto.brick.places import Place
 from ev3proto.brick.steps import Steps
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.move import SIZES
@@ -42,8 +42,8 @@ def _put(array: Array, offset: int, data: bytes) -> None:
     array.data[offset : offset + len(data)] = data
 
 
-def _create(kind: Type) -> Callable[[Machine, int, Place], None]:
-    def create(vm: Machine, elements: int, handle: Place) -> None:
+def _create(kind: Type) -> Callable[[Machine, int, Location], None]:
+    def create(vm: Machine, elements: int, handle: Location) -> None:
         if elements < 0 and kind is Type.DATA8:
             elements = 0
         number = vm.create_array(kind, elements) if elements >= 0 else None
@@ -90,7 +90,7 @@ def resize(vm: Machine, handle: int, elements: int) -> None:
 
 
 @handles("ARRAY.FILL")
-def fill(vm: Machine, handle: int, value: Place) -> None:
+def fill(vm: Machine, handle: int, value: Location) -> None:
     """Sets all elements; waits forever for an unknown handle, as the firmware does."""
     array = vm.program.handles.get(handle, Array)
     if array is None:
@@ -133,7 +133,7 @@ computes(
 
 
 @handles("ARRAY.READ_CONTENT")
-def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, destination: Place) -> None:
+def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, destination: Location) -> None:
     """Reads bytes from an index on, zeros after the end."""
     array = _array_of(vm, slot, handle)
     if array is None or index < 0 or (count >= 0 and not vm.resize(destination, count)):
@@ -144,7 +144,7 @@ def read_content(vm: Machine, slot: int, handle: int, index: int, count: int, de
 
 
 @handles("ARRAY.WRITE_CONTENT")
-def write_content(vm: Machine, slot: int, handle: int, index: int, count: int, source: Place) -> None:
+def write_content(vm: Machine, slot: int, handle: int, index: int, count: int, source: Location) -> None:
     """Writes bytes from an index on; the array ends with them, rounded up to whole elements."""
     array = _array_of(vm, slot, handle)
     if array is None or index < 0 or count < 0:
@@ -155,7 +155,7 @@ def write_content(vm: Machine, slot: int, handle: int, index: int, count: int, s
 
 
 @handles("ARRAY_WRITE")
-def write_element(vm: Machine, handle: int, index: int, value: Place) -> None:
+def write_element(vm: Machine, handle: int, index: int, value: Location) -> None:
     """Writes an element; the array grows where needed."""
     array = _array(vm, handle)
     if index < 0:
@@ -167,7 +167,7 @@ def write_element(vm: Machine, handle: int, index: int, value: Place) -> None:
 
 
 @handles("ARRAY_READ")
-def read_element(vm: Machine, handle: int, index: int, value: Place) -> None:
+def read_element(vm: Machine, handle: int, index: int, value: Location) -> None:
     """Reads an element, in the array's type."""
     array = _array(vm, handle)
     if not 0 <= index < array.elements:
@@ -177,7 +177,7 @@ def read_element(vm: Machine, handle: int, index: int, value: Place) -> None:
 
 
 @handles("ARRAY_APPEND")
-def append(vm: Machine, handle: int, value: Place) -> None:
+def append(vm: Machine, handle: int, value: Location) -> None:
     """Appends an element."""
     array = _array(vm, handle)
     data = value.read_bytes(array.type.size)

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Failure
-from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import OK
 from ev3proto.tables.com import NAME_LETTERS
 from ev3proto.tables.constants import CONSTANTS
@@ -73,13 +73,13 @@ def get_visible(vm: Machine, hardware: int) -> bool:
 
 
 @handles("COM_GET.GET_PIN")
-def get_pin(vm: Machine, hardware: int, name: bytes, length: int, pin: Place) -> None:  # noqa: ARG001
+def get_pin(vm: Machine, hardware: int, name: bytes, length: int, pin: Location) -> None:  # noqa: ARG001
     """Writes the PIN that every brick is delivered with."""
     vm.write_limited(pin, PIN, length)
 
 
 @handles("COM_GET.SEARCH_ITEM", "COM_GET.FAVOUR_ITEM", "COM_GET.CONNEC_ITEM")
-def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Place, *flags: Place) -> None:  # noqa: ARG001
+def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Location, *flags: Location) -> None:  # noqa: ARG001
     """Writes an empty name and zeros: no list has an item."""
     vm.write_limited(name, b"", length)
     for flag in flags:
@@ -87,7 +87,7 @@ def describe_item(vm: Machine, hardware: int, item: int, length: int, name: Plac
 
 
 @handles("COM_GET.GET_INCOMING")
-def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Place) -> None:
+def get_incoming(vm: Machine, hardware: int, length: int, name: Location, kind: Location) -> None:
     """Writes an empty name and a zero: no device requests a connection."""
     _must_be(hardware, BLUETOOTH)
     _write(vm, name, b"", length)
@@ -95,7 +95,7 @@ def get_incoming(vm: Machine, hardware: int, length: int, name: Place, kind: Pla
 
 
 @handles("COM_GET.GET_ID")
-def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
+def get_id(vm: Machine, hardware: int, length: int, destination: Location) -> None:
     """Writes Bluetooth's address, padded with zeros; no zero follows if none fits."""
     _must_be(hardware, BLUETOOTH)
     address = vm.brick.settings.bluetooth_address.encode(STRING_CODING)
@@ -106,26 +106,26 @@ def get_id(vm: Machine, hardware: int, length: int, destination: Place) -> None:
 
 
 @handles("COM_GET.GET_BRICKNAME")
-def get_brick_name(vm: Machine, length: int, name: Place) -> None:
+def get_brick_name(vm: Machine, length: int, name: Location) -> None:
     """Writes the name, cut to fit."""
     _write(vm, name, vm.brick.settings.name.encode(STRING_CODING), length)
 
 
-def _room(vm: Machine, place: Place, length: int) -> int | None:
+def _room(vm: Machine, place: Location, length: int) -> int | None:
     """Resizes an array to a length, -1 for the longest name. Returns its size; None for an unknown array."""
     if place.handle >= 0 and length == -1:
         length = int(CONSTANTS["BRICKNAMESIZE"])
     return length if vm.resize(place, length) else None
 
 
-def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
+def _write(vm: Machine, place: Location, text: bytes, length: int) -> None:
     room = _room(vm, place, length)
     if room is not None:
         place.write_cut(text, room)
 
 
 @handles("COM_GET.GET_NETWORK")
-def get_network(vm: Machine, hardware: int, length: int, *places: Place) -> None:
+def get_network(vm: Machine, hardware: int, length: int, *places: Location) -> None:
     """Writes name, MAC and IP address of WiFi; nothing for other hardware."""
     rooms = [_room(vm, place, length) for place in places]
     if hardware != WIFI or rooms[0] is None or None in rooms:
@@ -143,7 +143,7 @@ def get_network(vm: Machine, hardware: int, length: int, *places: Place) -> None
 
 
 @handles("COM_SET.SET_BRICKNAME", places=("NAME",))
-def set_brick_name(vm: Machine, name: Place) -> None:
+def set_brick_name(vm: Machine, name: Location) -> None:
     """Sets the name. Other characters than letters, digits, _ and - become _ in the caller's own text, and it fails."""
     text = name.read_text()
     if not _NAME.issuperset(text):

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from typing import Any
 
 from ev3proto.brick.handlers import handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.branch import RELATIONS
-from ev3proto.brick.places import Place
 from ev3proto.tables.compare import SIZES
 
 
-def _compare(relation: Callable[[Any, Any], bool]) -> Callable[[Machine, float, float, Place], None]:
+def _compare(relation: Callable[[Any, Any], bool]) -> Callable[[Machine, float, float, Location], None]:
     return lambda _, left, right, flag: flag.write8(relation(left, right))
 
 

@@ -8,9 +8,9 @@ from itertools import islice
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
 from ev3proto.brick.handlers import handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy
-from ev3proto.brick.places import Place
 from ev3proto.brick.text_lines import DELIMITERS, lines_of
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -64,7 +64,7 @@ def _close(vm: Machine) -> None:
         vm.brick.dialog = None
 
 
-def _under_way(vm: Machine, state: Place) -> ScreenDialog | None:
+def _under_way(vm: Machine, state: Location) -> ScreenDialog | None:
     """Returns the open dialog; None if it has to be opened, which is noted in the state."""
     dialog = _current(vm)
     if state.read8() and dialog is not None:
@@ -82,7 +82,7 @@ def _moved(vm: Machine, dialog: ScreenDialog, back: str, forward: str, count: in
 
 @handles("UI_DRAW.NOTIFICATION")
 def notification(
-    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, icon3: int, text: bytes, state: Place
+    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, icon3: int, text: bytes, state: Location
 ) -> None:
     """Shows a text until enter is pressed."""
     dialog = _under_way(vm, state)
@@ -97,7 +97,7 @@ def notification(
 
 @handles("UI_DRAW.QUESTION")
 def question(
-    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, ____: bytes, state: Place, answer: Place
+    vm: Machine, _: int, __: int, ___: int, icon1: int, icon2: int, ____: bytes, state: Location, answer: Location
 ) -> None:
     """Asks a question: left or right for no or yes, then enter; back for neither."""
     icons = (icon1, icon2)
@@ -111,7 +111,7 @@ def question(
     answer.write8(-1 if chosen is None else chosen)
 
 
-def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Place) -> int | None:
+def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Location) -> int | None:
     """Returns the icon that enter chooses, counted from 0; None for back. Waits for one of the two."""
     if _moved(vm, dialog, "left", "right", len(icons)):
         dialog.show_choice(icons)
@@ -125,7 +125,7 @@ def _chosen(vm: Machine, dialog: ScreenDialog, icons: Sequence[int], state: Plac
 
 
 @handles("UI_DRAW.ICON_QUESTION")
-def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: Place) -> None:
+def icon_question(vm: Machine, _: int, __: int, ___: int, state: Location, icons: Location) -> None:
     """Asks for one of several icons."""
     shown = [icon for icon in range(_LARGE_ICONS) if icons.read_bits() >> icon & 1]
     dialog = _under_way(vm, state)
@@ -138,7 +138,7 @@ def icon_question(vm: Machine, _: int, __: int, ___: int, state: Place, icons: P
 
 @handles("UI_DRAW.KEYBOARD")
 def keyboard(
-    vm: Machine, _: int, __: int, ___: int, icon: int, length: int, caption: bytes, characters: Place, text: Place
+    vm: Machine, _: int, __: int, ___: int, icon: int, length: int, caption: bytes, characters: Location, text: Location
 ) -> None:
     """Edits a text; enter accepts it, back empties it."""
     dialog = _current(vm)
@@ -183,7 +183,9 @@ def _choose(vm: Machine, begins: bool, lines: Callable[[], Sequence[bytes]], box
 
 
 @handles("UI_DRAW.BROWSE")
-def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length: int, kind: Place, path: Place) -> None:
+def browse(
+    vm: Machine, _: int, x: int, y: int, width: int, height: int, length: int, kind: Location, path: Location
+) -> None:
     """Asks for a file or folder in a folder."""
     folder = path.read_text()
     files, dialog = vm.brick.files, vm.brick.dialog
@@ -201,7 +203,7 @@ def browse(vm: Machine, _: int, x: int, y: int, width: int, height: int, length:
 
 @handles("UI_DRAW.TEXTBOX")
 def textbox(
-    vm: Machine, x: int, y: int, width: int, height: int, text: bytes, size: int, delimiter: int, line: Place
+    vm: Machine, x: int, y: int, width: int, height: int, text: bytes, size: int, delimiter: int, line: Location
 ) -> None:
     """Shows the lines of a text and asks for one."""
     ends = DELIMITERS.get(delimiter, b"")

@@ -10,10 +10,10 @@ from ev3proto.brick.devices.display import Canvas, Display
 from ev3proto.brick.devices.display.graph import Graph, Scale, Summary
 from ev3proto.brick.devices.display.pictures import read_picture
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, WildAccess
 from ev3proto.brick.operations.files import checked_name
-from ev3proto.brick.places import Place
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA16, DATAF
@@ -109,7 +109,7 @@ _draw_picture = _drawing(Display.picture)
 
 
 @handles("UI_DRAW.BMPFILE", places=("NAME",))
-def bmpfile(vm: Machine, color: int, x: int, y: int, name: Place) -> None:
+def bmpfile(vm: Machine, color: int, x: int, y: int, name: Location) -> None:
     """Draws a picture from a file; nothing if the file is missing or its name is not allowed."""
     path = None if _is_blocked(vm) else checked_name(vm, name)
     if path is None:
@@ -132,7 +132,7 @@ def picture(vm: Machine, color: int, x: int, y: int, address: int) -> None:
 # Graphs
 
 
-def _graph_setup(display: Display, x: int, size: int, items: int, *arrays: Place) -> None:
+def _graph_setup(display: Display, x: int, size: int, items: int, *arrays: Location) -> None:
     """Begins a graph; the arrays are read at every use of it: offsets, spans, least, most and sample values."""
     offset, span, least, most, sample = arrays
 

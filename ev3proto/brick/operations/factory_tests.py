@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ev3proto.brick.handlers import handles, handles_unknown
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Failure
-from ev3proto.brick.places import Place
 
 OPEN_MICROSECONDS = 10_000_000
 
@@ -36,7 +36,7 @@ def close_tests(vm: Machine) -> None:
 
 
 @handles("TST.TST_READ_PINS", "TST.TST_READ_UART")
-def read_pins(vm: Machine, port: int, length: int, destination: Place) -> None:  # noqa: ARG001 - all ports are alike
+def read_pins(vm: Machine, port: int, length: int, destination: Location) -> None:  # noqa: ARG001 - all ports are alike
     """Writes zeros: every pin is low, and no byte has arrived."""
     check_open(vm)
     destination.write_bytes(bytes(max(0, length)))

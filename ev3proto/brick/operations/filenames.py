@@ -6,9 +6,9 @@ import math
 
 from ev3proto.brick import archives
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.files import checked_name, in_own_folder
-from ev3proto.brick.places import Place
 from ev3proto.brick.steps import Steps
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -44,14 +44,14 @@ computes({"FILENAME.EXIST": _exists, "FILENAME.TOTALSIZE": _total_size})
 
 
 @handles("FILENAME.SPLIT")
-def split(vm: Machine, path: bytes, length: int, folder: Place, name: Place, extension: Place) -> None:
+def split(vm: Machine, path: bytes, length: int, folder: Location, name: Location, extension: Location) -> None:
     """Writes each part, cut to fit."""
     parts = paths.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
         _write(vm, place, text, length)
 
 
-def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
+def _write(vm: Machine, place: Location, text: bytes, length: int) -> None:
     """Cuts a text to the length; an array gets all of it instead."""
     if place.handle >= 0:
         vm.write_text(place, text)
@@ -60,19 +60,19 @@ def _write(vm: Machine, place: Place, text: bytes, length: int) -> None:
 
 
 @handles("FILENAME.MERGE")
-def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Place) -> None:
+def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Location) -> None:
     """Writes a path; a slash always follows the folder."""
     _write(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
 
 
 @handles("FILENAME.CHECK", places=("FILENAME",))
-def check(vm: Machine, place: Place, is_fine: Place) -> None:
+def check(vm: Machine, place: Location, is_fine: Location) -> None:
     """Checks a name; forbidden characters are replaced in memory, so that it passes the next time."""
     is_fine.write8(checked_name(vm, place) is not None)
 
 
 @handles("FILENAME.GET_FOLDERNAME")
-def folder_name(vm: Machine, length: int, destination: Place) -> None:
+def folder_name(vm: Machine, length: int, destination: Location) -> None:
     """Writes the program's own folder, without the last slash."""
     _write(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
 

@@ -7,10 +7,10 @@ from ev3proto.brick.conversions import wrap8
 from ev3proto.brick.formatting import fixed, padded, read_number
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import MOST_RECENT, OpenFile
 from ev3proto.brick.operation_exits import Busy, Failure
-from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import RUNNING
 from ev3proto.brick.steps import Steps
 from ev3proto.brick.text_lines import DELIMITERS
@@ -25,7 +25,7 @@ _MOST_NUMBER = 64
 """Bytes of a number's text."""
 
 
-def checked_name(vm: Machine, place: Place) -> bytes | None:
+def checked_name(vm: Machine, place: Location) -> bytes | None:
     """Reads a file's name, in the program's own folder unless it names another one; None if it is not allowed.
 
     The error is logged unless the log has it already. Forbidden characters are replaced in memory.
@@ -44,7 +44,7 @@ def in_own_folder(vm: Machine, name: bytes) -> bytes:
 # Opening and closing
 
 
-def opened_name(vm: Machine, place: Place) -> bytes:
+def opened_name(vm: Machine, place: Location) -> bytes:
     """Reads the name of a file to open; a forbidden one is tried again once its characters are replaced."""
     name = checked_name(vm, place)
     if name is None:
@@ -52,7 +52,7 @@ def opened_name(vm: Machine, place: Place) -> bytes:
     return name
 
 
-def add(vm: Machine, file: OpenFile, handle: Place) -> None:
+def add(vm: Machine, file: OpenFile, handle: Location) -> None:
     """Writes the handle of an open file; -1 and a failure if none is left."""
     number = vm.program.handles.add(file)
     handle.write16(NO_HANDLE if number is None else number)
@@ -62,7 +62,7 @@ def add(vm: Machine, file: OpenFile, handle: Place) -> None:
         raise Failure
 
 
-def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_log: bool = False) -> OpenFile:
+def open_to_write(vm: Machine, name: bytes, handle: Location, *, append: bool, is_log: bool = False) -> OpenFile:
     """Opens a file to write; handle 0 and a failure if that is impossible."""
     files = vm.brick.files
     file, found = files.open_to_write(name, append=append), files.locate(name)
@@ -76,7 +76,7 @@ def open_to_write(vm: Machine, name: bytes, handle: Place, *, append: bool, is_l
 
 
 @handles("FILE.OPEN_READ", places=("NAME",))
-def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
+def open_read(vm: Machine, place: Location, handle: Location, size: Location) -> None:
     """Opens a file to read; for an unknown file handle and size are 0, and nothing fails."""
     name = opened_name(vm, place)
     files = vm.brick.files
@@ -90,13 +90,13 @@ def open_read(vm: Machine, place: Place, handle: Place, size: Place) -> None:
 
 
 @handles("FILE.OPEN_WRITE", places=("NAME",))
-def open_write(vm: Machine, place: Place, handle: Place) -> None:
+def open_write(vm: Machine, place: Location, handle: Location) -> None:
     """Opens a file to write; its contents are lost."""
     open_to_write(vm, opened_name(vm, place), handle, append=False)
 
 
 @handles("FILE.OPEN_APPEND", places=("NAME",))
-def open_append(vm: Machine, place: Place, handle: Place) -> None:
+def open_append(vm: Machine, place: Location, handle: Location) -> None:
     """Opens a file to append."""
     open_to_write(vm, opened_name(vm, place), handle, append=True)
 
@@ -110,7 +110,7 @@ def close(vm: Machine, handle: int) -> None:
 
 
 @handles("FILE.GET_HANDLE", places=("NAME",))
-def get_handle(vm: Machine, place: Place, handle: Place, for_writing: Place) -> None:
+def get_handle(vm: Machine, place: Location, handle: Location, for_writing: Location) -> None:
     """Writes -1 if no file was opened by that name; another path to the same file is another name."""
     number, file = find_open(vm, opened_name(vm, place))
     handle.write16(number)
@@ -146,21 +146,21 @@ def _write(vm: Machine, handle: int, data: bytes, delimiter: int = 0) -> None:
 
 
 @handles("FILE.READ_TEXT")
-def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination: Place) -> None:
+def read_text(vm: Machine, handle: int, delimiter: int, length: int, destination: Location) -> None:
     """Reads a text; a zero follows if it fits. The length counts as 8 bits."""
     length = wrap8(length)
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), max(0, length))
     _write_read(vm, destination, text, length)
 
 
-def _write_read(vm: Machine, destination: Place, data: bytes, most: int) -> None:
+def _write_read(vm: Machine, destination: Location, data: bytes, most: int) -> None:
     """Writes the bytes read, and a zero unless they are as many as requested, which a negative number never is."""
     if most <= 0 or vm.resize(destination, most):
         destination.write_bytes(data + b"\0" * (len(data) != most))
 
 
 @handles("FILE.READ_VALUE")
-def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
+def read_value(vm: Machine, handle: int, delimiter: int, value: Location) -> None:
     """Reads a number; 0 if the text is not a number, or if it fails."""
     value.write_float(0.0)
     text = _file(vm, handle, False).read_until(DELIMITERS.get(delimiter, b""), _MOST_NUMBER)
@@ -169,7 +169,7 @@ def read_value(vm: Machine, handle: int, delimiter: int, value: Place) -> None:
 
 
 @handles("FILE.READ_BYTES")
-def read_bytes(vm: Machine, handle: int, count: int, destination: Place) -> None:
+def read_bytes(vm: Machine, handle: int, count: int, destination: Location) -> None:
     """Reads bytes; a zero follows if the file ended early."""
     _write_read(vm, destination, _file(vm, handle, False).read(count), count)
 
@@ -187,7 +187,7 @@ def write_value(vm: Machine, handle: int, delimiter: int, value: float, figures:
 
 
 @handles("FILE.WRITE_BYTES")
-def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
+def write_bytes(vm: Machine, handle: int, count: int, source: Location) -> None:
     """Writes bytes as they are."""
     _write(vm, handle, source.read_bytes(count))
 
@@ -196,7 +196,7 @@ def write_bytes(vm: Machine, handle: int, count: int, source: Place) -> None:
 
 
 @handles("FILE.REMOVE", places=("NAME",))
-def remove(vm: Machine, place: Place) -> Steps[None]:
+def remove(vm: Machine, place: Location) -> Steps[None]:
     """Deletes a file, or a folder with its files; the list of recent files forgets them."""
     name = checked_name(vm, place)
     if name is not None:
@@ -213,7 +213,7 @@ def _remove(vm: Machine, path: bytes) -> Steps[None]:
 
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
-def move(vm: Machine, source: Place, target: Place) -> Steps[None]:
+def move(vm: Machine, source: Location, target: Location) -> Steps[None]:
     """Copies: the source stays. The target is deleted, even if there is nothing to copy."""
     origin = checked_name(vm, source)
     goal = None if origin is None else checked_name(vm, target)
@@ -232,7 +232,7 @@ def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
 
 
 @handles("FILE.GET_SUBFOLDER_NAME")
-def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Place) -> None:
+def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: Location) -> None:
     """Writes the name of an entry without its extension; empty for an unknown entry."""
     name = _entry(vm, folder, item) or b""
     destination.write8(0)
@@ -254,7 +254,7 @@ def delete_entry(vm: Machine, folder: bytes, item: int) -> Steps[None]:
 
 
 @handles("FILE.PUT_CACHE_FILE", places=("STRING",))
-def put_recent(vm: Machine, place: Place) -> None:
+def put_recent(vm: Machine, place: Location) -> None:
     """Puts a file first in the list."""
     if path_names.check(place):
         vm.brick.recent.put(place.read_text())
@@ -263,7 +263,7 @@ def put_recent(vm: Machine, place: Place) -> None:
 
 
 @handles("FILE.GET_CACHE_FILE")
-def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None:
+def recent_name(vm: Machine, item: int, length: int, destination: Location) -> None:
     """Writes a recent file's name, or an empty one; fails for a number outside the list."""
     if not 1 <= item <= MOST_RECENT:
         raise Failure
@@ -275,7 +275,7 @@ def recent_name(vm: Machine, item: int, length: int, destination: Place) -> None
 
 
 @handles("FILE.LOAD_IMAGE", places=("NAME",))
-def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place) -> None:
+def load_image(vm: Machine, slot: int, place: Location, size: Location, address: Location) -> None:
     """Loads a program; for an unknown file size and address are 0. Nothing is written for a bad name, or if the slot
     runs a program.
     """
@@ -296,7 +296,7 @@ def load_image(vm: Machine, slot: int, place: Place, size: Place, address: Place
 
 
 @handles("FILE.GET_POOL")
-def get_pool(vm: Machine, size: int, handle: Place, address: Place) -> None:
+def get_pool(vm: Machine, size: int, handle: Location, address: Location) -> None:
     """Allocates memory with an address, though nothing here reaches it by that address."""
     number = vm.create_array(Type.DATA8, size) if size > 0 else None
     handle.write16(NO_HANDLE if number is None else number)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import Place
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.errors import ERRORS
 
@@ -31,7 +31,7 @@ computes(
 
 
 @handles("INFO.ERRORTEXT")
-def error_text(vm: Machine, number: int, length: int, destination: Place) -> None:
+def error_text(vm: Machine, number: int, length: int, destination: Location) -> None:
     """Writes the name of an error, or the number of one without a name; an array is resized to fit.
 
     The text is empty if the length is 0. An array gets at most ten elements for a number, and 26 for no error and a

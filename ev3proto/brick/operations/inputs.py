@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterable
 from ev3proto.brick.conversions import NAN8, NAN32
 from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, PORTS, SPEED_MODE, Device, Inputs
 from ev3proto.brick.handlers import computes, handles, handles_unknown
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure
-from ev3proto.brick.places import Place
 from ev3proto.tables.declaration import DATAF
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT
 
@@ -26,15 +26,15 @@ def _whole(value: float, not_a_number: int) -> int:
     return not_a_number if math.isnan(value) else int(max(-_MOST_WHOLE, min(value, _MOST_WHOLE)))
 
 
-_READINGS: dict[int, tuple[Callable[[Inputs, Device, int], float], Callable[[Place, float], None]]] = {
+_READINGS: dict[int, tuple[Callable[[Inputs, Device, int], float], Callable[[Location, float], None]]] = {
     _PERCENT: (Inputs.percent, lambda place, value: place.write8(_whole(value, NAN8))),
     _RAW: (Inputs.raw, lambda place, value: place.write32(_whole(value, NAN32))),
-    _SI: (Inputs.si, Place.write_float),
+    _SI: (Inputs.si, Location.write_float),
 }
 """The functions that take and write a reading, by its format."""
 
 
-def _write(vm: Machine, device: Device, format: int, places: Iterable[Place]) -> None:
+def _write(vm: Machine, device: Device, format: int, places: Iterable[Location]) -> None:
     """Writes the values of a device, one to each place."""
     read, write = _READINGS[format]
     for dataset, place in enumerate(places):
@@ -60,19 +60,19 @@ def _selected(vm: Machine, layer: int, number: int, type: int, mode: int) -> Dev
 
 
 @handles("INPUT_READ")
-def read(vm: Machine, layer: int, number: int, type: int, mode: int, percent: Place) -> None:
+def read(vm: Machine, layer: int, number: int, type: int, mode: int, percent: Location) -> None:
     """Writes one value in percent."""
     _write(vm, _selected(vm, layer, number, type, mode), _PERCENT, [percent])
 
 
 @handles("INPUT_READSI")
-def read_si(vm: Machine, layer: int, number: int, type: int, mode: int, value: Place) -> None:
+def read_si(vm: Machine, layer: int, number: int, type: int, mode: int, value: Location) -> None:
     """Writes one value in the mode's unit."""
     _write(vm, _selected(vm, layer, number, type, mode), _SI, [value])
 
 
 @handles("INPUT_READEXT")
-def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format: int, places: list[Place]) -> None:
+def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format: int, places: list[Location]) -> None:
     """Writes all values of a mode in one of three formats; in any other one NaN of 8 bits each."""
     device = _selected(vm, layer, number, type, mode)
     if format in _READINGS:
@@ -112,7 +112,7 @@ def write(vm: Machine) -> None:
 
 
 @handles("INPUT_DEVICE_LIST")
-def device_list(vm: Machine, length: int, types: Place, changed: Place) -> None:
+def device_list(vm: Machine, length: int, types: Location, changed: Location) -> None:
     """Writes the number of changes; then, as places may overlap, the types on all ports, and a zero if it fits."""
     changed.write8(vm.brick.inputs.changed(vm.program.slot))
     listed = vm.brick.inputs.types()[:_MOST_LISTED][: max(length, 0)]
@@ -122,7 +122,7 @@ def device_list(vm: Machine, length: int, types: Place, changed: Place) -> None:
 
 
 @handles("INPUT_SAMPLE")
-def sample(vm: Machine, _: int, count: int, __: Place, *arrays: Place) -> None:
+def sample(vm: Machine, _: int, count: int, __: Location, *arrays: Location) -> None:
     """Writes one value of each of several devices; motors are numbered after the sensors.
 
     The arrays are devices, types, modes, datasets and values.
@@ -137,10 +137,10 @@ def sample(vm: Machine, _: int, count: int, __: Place, *arrays: Place) -> None:
 # Reading with waiting
 
 
-def _waits(format: int) -> Callable[[Machine, int, int, int, int, list[Place]], None]:
+def _waits(format: int) -> Callable[[Machine, int, int, int, int, list[Location]], None]:
     """Writes values of a device in the requested mode; waits for them unless the port is empty."""
 
-    def read(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Place]) -> None:
+    def read(vm: Machine, layer: int, number: int, type: int, mode: int, places: list[Location]) -> None:
         device = _found(vm, layer, number)
         if not device.is_empty:
             vm.brick.inputs.select(device, type, mode, always=True)
@@ -175,7 +175,7 @@ def get_figures(vm: Machine, layer: int, number: int) -> tuple[int, int]:
     return (0, 0) if device is None else (device.mode_data.figures, device.mode_data.decimals)
 
 
-def _write_padded(vm: Machine, destination: Place, text: str | None, length: int) -> None:
+def _write_padded(vm: Machine, destination: Location, text: str | None, length: int) -> None:
     """Writes a text, padded with spaces to the room for it, and a zero; None is an empty text without padding."""
     if text is None:
         destination.write_text(b"")
@@ -187,21 +187,21 @@ def _write_padded(vm: Machine, destination: Place, text: str | None, length: int
 
 
 @handles("INPUT_DEVICE.GET_NAME")
-def get_name(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
+def get_name(vm: Machine, layer: int, number: int, length: int, destination: Location) -> None:
     """Writes the name of its mode, by which the firmware calls the device."""
     device = vm.brick.inputs.device(layer, number)
     _write_padded(vm, destination, None if device is None else device.mode_data.name, length)
 
 
 @handles("INPUT_DEVICE.GET_SYMBOL")
-def get_symbol(vm: Machine, layer: int, number: int, length: int, destination: Place) -> None:
+def get_symbol(vm: Machine, layer: int, number: int, length: int, destination: Location) -> None:
     """Writes the unit of its values."""
     device = vm.brick.inputs.device(layer, number)
     _write_padded(vm, destination, None if device is None else device.mode_data.symbol, length)
 
 
 @handles("INPUT_DEVICE.GET_MODENAME")
-def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, destination: Place) -> None:
+def get_modename(vm: Machine, layer: int, number: int, mode: int, length: int, destination: Location) -> None:
     """Writes the name of one of its modes."""
     device = vm.brick.inputs.device(layer, number)
     has_mode = device is not None and 0 <= mode < len(device.type.modes)
@@ -262,7 +262,7 @@ computes(
 def ready_iic(_: Machine, *parameters: object) -> None:
     """Writes FAIL: no device answers on the I2C bus of a virtual brick."""
     result = parameters[-1]
-    assert isinstance(result, Place)
+    assert isinstance(result, Location)
     result.write8(_FAIL)
 
 

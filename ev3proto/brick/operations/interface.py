@@ -8,9 +8,9 @@ from ev3proto.brick.conversions import NAN8, NAN16, NAN32
 from ev3proto.brick.devices.panel import Panel
 from ev3proto.brick.formatting import fixed, padded
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy
-from ev3proto.brick.places import Place
 from ev3proto.brick.steps import Steps
 from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
@@ -26,7 +26,7 @@ def _reads_text(name: str, source: Callable[[Panel], bytes]) -> None:
     """Registers a handler that writes a text."""
 
     @handles(f"UI_READ.{name}")
-    def read(vm: Machine, length: int, destination: Place) -> None:
+    def read(vm: Machine, length: int, destination: Location) -> None:
         vm.write_limited(destination, source(vm.brick.panel), length)
 
 
@@ -99,7 +99,7 @@ def _line(vm: Machine) -> bytes:
 
 
 @handles("UI_READ.GET_STRING")
-def get_string(vm: Machine, length: int, destination: Place) -> None:
+def get_string(vm: Machine, length: int, destination: Location) -> None:
     """Writes the next line typed."""
     vm.write_limited(destination, _line(vm), length + 1 if length >= 0 else length)
 
@@ -116,7 +116,7 @@ def get_address(vm: Machine) -> int:
 
 @handles("UI_READ.TEXTBOX_READ")
 def textbox_read(
-    _: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Place
+    _: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Location
 ) -> Steps[None]:
     """Writes a line of a text box."""
     line = yield from line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
@@ -124,7 +124,7 @@ def textbox_read(
 
 
 @handles("UI_WRITE.TEXTBOX_APPEND")
-def textbox_append(vm: Machine, text: Place, size: int, delimiter: int, line: bytes) -> None:
+def textbox_append(vm: Machine, text: Location, size: int, delimiter: int, line: bytes) -> None:
     """Appends a line to those of a text box."""
     before = text.read_text()[: max(size, 0)]
     text.write_bytes(with_line(before, line, DELIMITERS.get(delimiter, b""), vm.brick.display.font, size))

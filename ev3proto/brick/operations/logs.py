@@ -9,11 +9,11 @@ import struct
 
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.handles import NO_HANDLE, Array
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name
-from ev3proto.brick.places import Place
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type
@@ -55,14 +55,14 @@ def _with_extension(name: bytes) -> bytes:
 @handles("FILE.OPEN_LOG", places=("NAME",))
 def open_log(
     vm: Machine,
-    place: Place,
+    place: Location,
     time: int,
     tick: int,
     now: int,
     interval: int,
     duration: int,
     description: bytes,
-    handle: Place,
+    handle: Location,
 ) -> None:
     """Opens a log, and appends to an existing file. A quick log has two handles; that of its buffer is written."""
     name = _with_extension(opened_name(vm, place))
@@ -89,7 +89,7 @@ def _write_or_log(vm: Machine, file: OpenFile | None, data: bytes) -> bool:
 
 
 @handles("FILE.WRITE_LOG")
-def write_log(vm: Machine, handle: int, time: int, items: int, values: Place) -> None:
+def write_log(vm: Machine, handle: int, time: int, items: int, values: Location) -> None:
     """Writes a row of floats, the time and the samples; nothing without samples. It never fails."""
     if items <= 0:
         return
@@ -102,7 +102,7 @@ def write_log(vm: Machine, handle: int, time: int, items: int, values: Place) ->
 
 
 @handles("FILE.CLOSE_LOG", places=("NAME",))
-def close_log(vm: Machine, handle: int, place: Place) -> None:
+def close_log(vm: Machine, handle: int, place: Location) -> None:
     """Writes the end mark and closes a log. A quick log finds its file by the name. It never fails."""
     name = checked_name(vm, place)
     if name is None:
@@ -119,7 +119,7 @@ def close_log(vm: Machine, handle: int, place: Place) -> None:
 
 
 @handles("FILE.GET_LOG_NAME")
-def log_name(vm: Machine, length: int, destination: Place) -> None:
+def log_name(vm: Machine, length: int, destination: Location) -> None:
     """Writes the name of the open log, or an empty one. An array gets all of it."""
     logs = (entry for entry in vm.program.handles.entries() if isinstance(entry, OpenFile) and entry.is_log)
     name = next((log.name for log in logs), b"")

@@ -5,9 +5,9 @@ from __future__ import annotations
 from ev3proto.brick.boxes import Mailbox
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import Array
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure, WildAccess
-from ev3proto.brick.places import Place
 from ev3proto.tables.enumerations import DATA_FORMAT, FORMAT_TYPES
 from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT
 
@@ -49,7 +49,7 @@ def wait_for_box(vm: Machine, number: int) -> None:
 
 
 @handles("MAILBOX_READ")
-def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None:  # noqa: ARG001 - as in the firmware
+def read_box(vm: Machine, number: int, length: int, values: list[Location]) -> None:  # noqa: ARG001 - as in the firmware
     """Reads values from the content, of the type that the mailbox was opened with; the content stays.
 
     Of a box that is not open the firmware executes these parameters as operations; here nothing is read.
@@ -63,7 +63,7 @@ def read_box(vm: Machine, number: int, length: int, values: list[Place]) -> None
         box.read += 1
 
 
-def _read_value(vm: Machine, box: Mailbox, number: int, place: Place) -> None:
+def _read_value(vm: Machine, box: Mailbox, number: int, place: Location) -> None:
     """Writes one value of the content to its place; every text is the first one."""
     if box.type in _SIZES and box.type not in (_TEXT, _ARRAY):
         size = _SIZES[box.type]

@@ -9,8 +9,8 @@ from ev3proto.brick import soft_float
 from ev3proto.brick.conversions import quotient, single
 from ev3proto.brick.formatting import fixed
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import WRITERS, Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import WRITERS, Place
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.math import SIZES
@@ -52,7 +52,7 @@ def _remainder(dividend: int, divisor: int) -> int:
     return dividend - quotient(dividend, divisor) * divisor if divisor else 0
 
 
-def _integer_operation(kind: Type, function: IntegerFunction) -> Callable[[Machine, int, int, Place], None]:
+def _integer_operation(kind: Type, function: IntegerFunction) -> Callable[[Machine, int, int, Location], None]:
     write = WRITERS[kind]
     return lambda _, left, right, destination: write(destination, function(left, right))
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import CURRENT_SLOT, GUI_SLOT, STOPPED
 from ev3proto.brick.steps import Steps
 
@@ -35,7 +35,7 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
 
 
 @handles("MEMORY_READ")
-def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Place) -> Steps[None]:
+def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Location) -> Steps[None]:
     """Writes zeros for bytes outside; nothing if the memory does not exist."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
@@ -50,7 +50,7 @@ def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, de
 
 
 @handles("MEMORY_WRITE")
-def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Place) -> Steps[None]:
+def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Location) -> Steps[None]:
     """Writes a program's memory; bytes outside are omitted."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:

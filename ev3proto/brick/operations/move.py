@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from ev3proto.brick.conversions import NAN8, NAN16, NAN32, float_to_integer, narrowed, widened
 from ev3proto.brick.handlers import handles
+from ev3proto.brick.locations import WRITERS, Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import WRITERS, Place
 from ev3proto.brick.steps import Steps
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.move import SIZES
@@ -29,18 +29,18 @@ def _copy(size: int) -> Callable[[Machine], None]:
     return copy
 
 
-def _convert_integer(source: str, target: str) -> Callable[[Machine, int, Place], None]:
+def _convert_integer(source: str, target: str) -> Callable[[Machine, int, Location], None]:
     kind, nan = _INTEGERS[source]
     if target == "F":
 
-        def convert_to_float(_: Machine, value: int, destination: Place) -> None:
+        def convert_to_float(_: Machine, value: int, destination: Location) -> None:
             destination.write_float(float("nan") if value == nan else value)
 
         return convert_to_float
     goal = _TYPES[target]
     write, change = WRITERS[goal], widened if goal.size > kind.size else narrowed
 
-    def convert(_: Machine, value: int, destination: Place) -> None:
+    def convert(_: Machine, value: int, destination: Location) -> None:
         write(destination, change(value, nan, goal))
 
     return convert
@@ -80,8 +80,8 @@ def init_bytes(vm: Machine) -> Steps[None]:
             yield
 
 
-def _read_element(size: int) -> Callable[[Machine, Place, int, Place], None]:
-    def read_element(_: Machine, source: Place, index: int, destination: Place) -> None:
+def _read_element(size: int) -> Callable[[Machine, Location, int, Location], None]:
+    def read_element(_: Machine, source: Location, index: int, destination: Location) -> None:
         destination.write_bytes(source.moved(index * size).read_bytes(size))
 
     return read_element

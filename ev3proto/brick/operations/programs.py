@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure, Leave, Sleep, WildAccess
-from ev3proto.brick.places import Place
 from ev3proto.brick.running_programs import (
     BUSY,
     CMD_SLOT,
@@ -213,7 +213,7 @@ def call(vm: Machine) -> None:
             continue
         parameter = callee.parameters[number]
         offset = aligned(offset, parameter.bytes)
-        own = Place(callee.local_memory, offset)
+        own = Location(callee.local_memory, offset)
         if parameter.direction is not Direction.OUT:
             _copy_input(parameter, place, own)
         if parameter.direction is not Direction.IN:
@@ -227,7 +227,7 @@ def call(vm: Machine) -> None:
     raise Leave
 
 
-def _copy_input(parameter: ProgramParameter, source: Place, own: Place) -> None:
+def _copy_input(parameter: ProgramParameter, source: Location, own: Location) -> None:
     if parameter.type is not Type.STRING:
         own.write_bytes(source.read_bytes(parameter.bytes))
     elif parameter.bytes:

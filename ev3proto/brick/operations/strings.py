@@ -7,8 +7,8 @@ from typing import Any
 
 from ev3proto.brick.formatting import fixed, formatted, read_number
 from ev3proto.brick.handlers import computes, handles
+from ev3proto.brick.locations import NOT_A_NUMBER, Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.places import NOT_A_NUMBER, Place
 
 NO_TEXT = b"(null)"
 """What printf shows for a missing text."""
@@ -40,13 +40,13 @@ def add(vm: Machine, *parameters: Any) -> None:
 
 
 @handles("STRINGS.STRIP")
-def strip(vm: Machine, text: bytes, destination: Place) -> None:
+def strip(vm: Machine, text: bytes, destination: Location) -> None:
     """Removes all blanks; tabs stay. An array gets room for the blanks, too."""
     vm.write_text(destination, text.replace(b" ", b""), len(text) + 1)
 
 
 @handles("STRINGS.SUB")
-def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
+def sub(vm: Machine, text: bytes, sought: bytes, destination: Location) -> None:
     """Writes the text after the first occurrence of another; without one, the rest of printf's missing text."""
     at = text.find(sought)
     rest = (NO_TEXT if at < 0 else text[at:][:MOST_CHARACTERS])[len(sought) :]
@@ -54,7 +54,7 @@ def sub(vm: Machine, text: bytes, sought: bytes, destination: Place) -> None:
 
 
 @handles("STRINGS.NUMBER_TO_STRING")
-def number_to_string(vm: Machine, value: int, figures: int, destination: Place) -> None:
+def number_to_string(vm: Machine, value: int, figures: int, destination: Location) -> None:
     """Writes a number padded with zeros, cut to this number of figures."""
     text = formatted(b"%%%s%dd" % (b"0" if figures >= 0 else b"", figures), value)
     if vm.resize(destination, figures + 2):
@@ -62,7 +62,7 @@ def number_to_string(vm: Machine, value: int, figures: int, destination: Place) 
 
 
 @handles("STRINGS.VALUE_TO_STRING")
-def value_to_string(vm: Machine, value: float, figures: int, decimals: int, destination: Place) -> None:
+def value_to_string(vm: Machine, value: float, figures: int, decimals: int, destination: Location) -> None:
     """Writes a number without zeros at the end; a negative number of figures aligns left."""
     text = _no_number(figures) if value != value else _number(value, figures, decimals)
     vm.write_text(destination, text.encode(), abs(figures) + 2)
@@ -89,7 +89,7 @@ def _no_number(figures: int) -> str:
 
 
 @handles("STRINGS.STRING_TO_VALUE", places=("SOURCE1",))
-def string_to_value(_: Machine, source: Place, destination: Place) -> None:
+def string_to_value(_: Machine, source: Location, destination: Location) -> None:
     """Reads a number; a comma becomes a point in the source itself. A text without a number gives 0."""
     text = source.read_text().replace(b",", b".")
     source.write_bytes(text)
@@ -102,7 +102,7 @@ def string_to_value(_: Machine, source: Place, destination: Place) -> None:
 
 
 @handles("STRINGS.VALUE_FORMATTED", "STRINGS.NUMBER_FORMATTED")
-def value_formatted(vm: Machine, value: float, pattern: bytes, size: int, destination: Place) -> None:
+def value_formatted(vm: Machine, value: float, pattern: bytes, size: int, destination: Location) -> None:
     """Writes a number in a format of printf, cut to the size with its zero; an array gets what is needed instead."""
     text = formatted(pattern, value, MOST_CHARACTERS).partition(b"\0")[0]
     if destination.handle >= 0 or size < 0:

@@ -10,10 +10,9 @@ from ev3proto.capture.filter.values import FilterValue, Kind, Name
 from ev3proto.capture.record import Record
 from ev3proto.messages import DaisyCommand, DaisyReply, DirectReply, SystemCommand, SystemReply
 from ev3proto.tables import OPCODES
-from ev3proto.tables.daisy import DaisyCommand as DaisyNumber
+from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.declaration import Declaration, Enumeration, Parameter, Type, declarations
-from ev3proto.tables.system import SYSTEM
-from ev3proto.tables.system import Kind as FieldKind
+from ev3proto.tables.system import SYSTEM, FieldKind
 
 PATH = "path"
 """The field with the path of a file."""
@@ -126,7 +125,7 @@ def operation_names() -> dict[str, frozenset[str]]:
 def command_names() -> tuple[str, ...]:
     """Returns all names of CMDs, system commands and daisy commands."""
     of_operations = [entry.command for entry in _declared() if entry.command is not None]
-    return tuple(dict.fromkeys(entry.name for entry in (*of_operations, *SYSTEM, *DaisyNumber)))
+    return tuple(dict.fromkeys(entry.name for entry in (*of_operations, *SYSTEM, *DaisySubCommand)))
 
 
 @cache

@@ -15,7 +15,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MIN_LENGTH, REPORT_SIZES, MessageType
-from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, Field, Kind, SystemDeclaration
+from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 
 MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
 """Bytes of global memory that fit into a reply."""
@@ -204,7 +204,9 @@ def _answer(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Findin
 
 
 def _is_question(entry: SystemDeclaration) -> bool:
-    return entry.transfer == _OPENED or any(field.kind in (Kind.DATA, Kind.LISTING, Kind.U32) for field in entry.reply)
+    return entry.transfer == _OPENED or any(
+        field.kind in (FieldKind.DATA, FieldKind.LISTING, FieldKind.U32) for field in entry.reply
+    )
 
 
 def _wrong_fields(context: CheckContext, entry: SystemDeclaration) -> Finding:
@@ -254,7 +256,7 @@ def _fields(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Findin
         at += size
 
 
-def _size(field: Field, value: int | str | bytes) -> int:
+def _size(field: SystemField, value: int | str | bytes) -> int:
     """Returns the bytes of a field in the frame."""
     if isinstance(value, int):
         return int(NUMBERS[field.kind].sizeof())
@@ -346,10 +348,10 @@ def _mailbox(at: int, payload: bytes, name: str, entry: SystemDeclaration, field
 
 def _lists(entry: SystemDeclaration) -> bool:
     """Returns whether it lists a folder."""
-    return any(field.kind is Kind.LISTING for field in entry.reply)
+    return any(field.kind is FieldKind.LISTING for field in entry.reply)
 
 
-_DAISY = f"0x{min(daisy.DaisyCommand):02X} to 0x{max(daisy.DaisyCommand):02X}"
+_DAISY = f"0x{min(daisy.DaisySubCommand):02X} to 0x{max(daisy.DaisySubCommand):02X}"
 
 
 def check_daisy(context: CheckContext, command: DaisyCommand) -> Iterator[Finding]:

@@ -12,7 +12,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SYSTEM, Field, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, SystemDeclaration, SystemField, SystemStatus
 
 WIDTH = 120
 INDENT = "    "
@@ -155,7 +155,7 @@ def _system_command(command: SystemDeclaration) -> Iterator[str]:
         yield "  gets no reply"
 
 
-def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[str]:
+def _fields(title: str, fields: tuple[SystemField, ...]) -> Iterator[str]:
     described = (f"{field.name} ({'optional ' if field.optional else ''}{field.kind.value})" for field in fields)
     if fields:
         yield f"  {title}: {', '.join(described)}"
@@ -163,7 +163,7 @@ def _fields(title: str, fields: tuple[Field, ...]) -> Iterator[str]:
 
 def _daisy() -> Iterator[str]:
     yield from heading("Daisy chain", "The byte after the message type, between bricks that are joined by USB.")
-    yield from _enum(((DAISY + entry.name, entry.value, [daisy.TEXTS[entry]]) for entry in daisy.DaisyCommand), 2)
+    yield from _enum(((DAISY + entry.name, entry.value, [daisy.TEXTS[entry]]) for entry in daisy.DaisySubCommand), 2)
 
 
 def _constants() -> Iterator[str]:

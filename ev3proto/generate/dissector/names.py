@@ -6,7 +6,7 @@ filters, columns and colouring rules with those: they are kept.
 
 from __future__ import annotations
 
-from ev3proto.tables.system import Field, SystemDeclaration
+from ev3proto.tables.system import SystemDeclaration, SystemField
 
 FAMILIAR = {
     "size": "file_len",
@@ -21,7 +21,7 @@ HEXADECIMAL = ("address", "checksum", "hardware_version", "firmware_version")
 """Numbers usually written in hexadecimal."""
 
 
-def filter_name(command: SystemDeclaration, field: Field) -> str:
+def filter_name(command: SystemDeclaration, field: SystemField) -> str:
     """Returns what follows `ev3.` in the filter name of a system message's field."""
     if field.name == "path":
         # A path belongs to a file if the command or its reply gives the file's length.
@@ -30,6 +30,6 @@ def filter_name(command: SystemDeclaration, field: Field) -> str:
     return FAMILIAR.get(field.name, field.name)
 
 
-def label(field: Field) -> str:
+def label(field: SystemField) -> str:
     """Returns the label of a field in the packet tree: `Max bytes`."""
     return field.name.replace("_", " ").capitalize()

@@ -21,7 +21,7 @@ from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeratio
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.output import PORT_SETS
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 
 TYPES = {member: Name(member.name) for member in Type}
 DIRECTIONS = {member: Name(member.name) for member in Direction}
@@ -32,7 +32,7 @@ ENCODING_KINDS = {
     GLOBAL: Name("GLOBAL"),
     JUMP: Name("JUMP"),
 }
-FIELD_KINDS = {member: Name("BYTES" if member is Kind.DATA else member.name) for member in Kind}
+FIELD_KINDS = {member: Name("BYTES" if member is FieldKind.DATA else member.name) for member in FieldKind}
 """The Lua names of types, directions, kinds of arguments and fields."""
 
 
@@ -282,7 +282,7 @@ def _system() -> Iterator[str]:
 def _system_command(command: SystemDeclaration) -> Table:
     named: dict[Any, object] = {}
     for side in ("request", "reply"):
-        fields: tuple[Field, ...] = getattr(command, side)
+        fields: tuple[SystemField, ...] = getattr(command, side)
         if fields:
             named[side] = Table([_system_field(command, field) for field in fields])
     if command.transfer:
@@ -296,7 +296,7 @@ def _system_command(command: SystemDeclaration) -> Table:
     return Table([hexadecimal(command.number), command.name, command.text], named)
 
 
-def _system_field(command: SystemDeclaration, field: Field) -> Table:
+def _system_field(command: SystemDeclaration, field: SystemField) -> Table:
     named: dict[Any, object] = {}
     if field.counts:
         named["counts"] = field.counts
@@ -316,9 +316,9 @@ def _daisy() -> Iterator[str]:
         size = _size_of(part)
         rows.append(Table(named={"name": part.name} | ({} if size is None else {"size": size})))
     chain: dict[Any, object] = {
-        "names": Table(named={member.value: member.name for member in daisy.DaisyCommand}),
+        "names": Table(named={member.value: member.name for member in daisy.DaisySubCommand}),
         "carries_operations": Table(
-            named={member.value: True for member in daisy.DaisyCommand if member.carries_operations}
+            named={member.value: True for member in daisy.DaisySubCommand if member.carries_operations}
         ),
         "most_layers": daisy.MOST_LAYERS,
         "sensor_report": Table(rows),

@@ -11,15 +11,15 @@ from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type,
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SYSTEM, Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemStatus
 
 _FIELDS = {
-    Kind.U8: "u8",
-    Kind.U16: "u16",
-    Kind.U32: "u32",
-    Kind.TEXT: "line",
-    Kind.COUNTED_TEXT: "line",
-    Kind.DATA: "bytes",
+    FieldKind.U8: "u8",
+    FieldKind.U16: "u16",
+    FieldKind.U32: "u32",
+    FieldKind.TEXT: "line",
+    FieldKind.COUNTED_TEXT: "line",
+    FieldKind.DATA: "bytes",
 }
 _FIELD_TYPES = {
     "line": "string",

@@ -10,7 +10,7 @@ from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy
 from ev3proto.tables.encoding import CONSTANT, IDENTIFICATIONS, TEXT, Encoding
 from ev3proto.tables.frame import GLOBAL_BITS, MAX_GLOBALS, MAX_LENGTH, MIN_LENGTH, MessageType
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 
 Mapping = dict[str | int, Value]
 
@@ -79,7 +79,7 @@ def enumerations() -> Mapping:
         "system_status": {status.value: status.name.lower() for status in SystemStatus},
         "daisy_code": {
             Hexadecimal(entry.value): {"id": entry.name.lower(), "doc": daisy.TEXTS[entry]}
-            for entry in daisy.DaisyCommand
+            for entry in daisy.DaisySubCommand
         },
     }
 
@@ -129,23 +129,23 @@ def _cases(side: str) -> Mapping:
     }
 
 
-_NUMBERS = {Kind.U8: "u1", Kind.U16: "u2", Kind.U32: "u4"}
+_NUMBERS = {FieldKind.U8: "u1", FieldKind.U16: "u2", FieldKind.U32: "u4"}
 
 
-def _field(field: Field, fields: tuple[Field, ...], *, is_reply: bool) -> Mapping:
+def _field(field: SystemField, fields: tuple[SystemField, ...], *, is_reply: bool) -> Mapping:
     found: Mapping = {"id": field_name(field)}
     counter = next((field_name(other) for other in fields if other.counts == field.name), None)
     if field.kind in _NUMBERS:
         found["type"] = _NUMBERS[field.kind]
-    elif field.kind is Kind.TEXT:
+    elif field.kind is FieldKind.TEXT:
         found["type"] = "strz"
-    elif field.kind is Kind.COUNTED_TEXT:
+    elif field.kind is FieldKind.COUNTED_TEXT:
         found["type"] = f"counted_text({counter})"
     elif counter is not None:
         found["size"] = counter
     else:
         found |= _REST
-        if field.kind is Kind.LISTING:
+        if field.kind is FieldKind.LISTING:
             found["type"] = "str"
     if is_reply or field.optional:
         found["if"] = "not _io.eof"
@@ -158,7 +158,7 @@ def _field(field: Field, fields: tuple[Field, ...], *, is_reply: bool) -> Mappin
 def _daisy() -> Mapping:
     layers: list[Value] = [{"id": "layer_from", "type": "u1"}, {"id": "layer_to", "type": "u1"}]
     carrying = [
-        f"command == daisy_code::{entry.name.lower()}" for entry in daisy.DaisyCommand if entry.carries_operations
+        f"command == daisy_code::{entry.name.lower()}" for entry in daisy.DaisySubCommand if entry.carries_operations
     ]
     carries = " or ".join(carrying)
     size = sum(part.sizeof() for part in SENSOR_REPORT.subcons if part.subcon is not GreedyBytes)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.tables.declaration import Declaration, Parameter
-from ev3proto.tables.system import Field, SystemDeclaration
+from ev3proto.tables.system import SystemDeclaration, SystemField
 
 _WORDS = """
     abstract and as assert async await base bool boolean break byte case catch chan char class const continue
@@ -47,6 +47,6 @@ def system_name(command: SystemDeclaration) -> str:
     return ("bootloader_" if command.bootloader else "") + command.name.lower()
 
 
-def field_name(field: Field) -> str:
+def field_name(field: SystemField) -> str:
     """Returns the name of a system message's field."""
     return identifier(field.name)

@@ -18,7 +18,7 @@ from ev3proto.generate.modules.source import (
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables.frame import MAX_FRAME
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField
 
 _REPLY_HEAD: int = HEADER_SIZE + 2
 """Bytes of a reply before its fields: header, command, status."""
@@ -92,7 +92,7 @@ def _function(entry: SystemDeclaration) -> Iterator[str]:
     yield from indented(bracketed("return request(", values, ")", INDENT))
 
 
-def _default(entry: SystemDeclaration, field: Field) -> str | None:
+def _default(entry: SystemDeclaration, field: SystemField) -> str | None:
     """Returns a field's default; None for a required one."""
     if field.name == _ROOM:
         return str(_room(entry))
@@ -105,8 +105,8 @@ def _room(entry: SystemDeclaration) -> int:
     return MAX_FRAME - _REPLY_HEAD - fixed
 
 
-def _parameter(entry: SystemDeclaration, field: Field) -> str:
-    kind = "int" if field.kind in NUMBERS else "bytes" if field.kind is Kind.DATA else "str"
+def _parameter(entry: SystemDeclaration, field: SystemField) -> str:
+    kind = "int" if field.kind in NUMBERS else "bytes" if field.kind is FieldKind.DATA else "str"
     kind = "str | float | bytes" if field.is_message else kind
     default = _default(entry, field)
     if default is None:
@@ -114,11 +114,11 @@ def _parameter(entry: SystemDeclaration, field: Field) -> str:
     return f"{field.name}: {kind}{' | None' if default == 'None' else ''} = {default}"
 
 
-def _pieces(field: Field) -> Iterator[str]:
+def _pieces(field: SystemField) -> Iterator[str]:
     yield field.text
     if field.kind in NUMBERS:
         yield f"0 to {(1 << 8 * NUMBERS[field.kind].sizeof()) - 1}"
     if field.most is not None:
-        yield f"at most {field.most} bytes{' with its zero' if field.kind is Kind.TEXT else ''}"
+        yield f"at most {field.most} bytes{' with its zero' if field.kind is FieldKind.TEXT else ''}"
     if field.counts is not None:
         yield f"computed from {field.counts} when omitted"

@@ -20,7 +20,7 @@ from ev3proto.generate.output_schemas.parts import (
 )
 from ev3proto.messages import Message
 from ev3proto.tables.carriers import CARRIERS
-from ev3proto.tables.daisy import DaisyCommand
+from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.frame import TYPES_BY_KIND
 from ev3proto.tables.mailboxes import LOGIC_MESSAGE, NUMBER_MESSAGE, TEXT_MESSAGE
@@ -87,7 +87,7 @@ def _contents() -> Schema:
             "status_meaning": maybe(TEXT),
         },
         "daisy-command": {
-            "command": maybe({"enum": [member.name for member in DaisyCommand]}),
+            "command": maybe({"enum": [member.name for member in DaisySubCommand]}),
             "number": _BYTE,
             "fields": by_name(values, daisy),
             "operations": list_of(reference("operation")),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ev3proto.checking.codes import CODES, Code
+from ev3proto.checking.codes import CODES, FindingCode
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.generate.pages.markdown import block, link, plain, table
 
@@ -26,7 +26,7 @@ def blocks() -> Iterator[str]:
         yield from _entry(entry)
 
 
-def _entry(entry: Code) -> Iterator[str]:
+def _entry(entry: FindingCode) -> Iterator[str]:
     yield f"## {entry.code}"
     yield f"**{plain(entry.title[:1].upper() + entry.title[1:])}** ({entry.severity})"
     for paragraph in re.split(r"\n\s*\n", entry.explanation):

@@ -22,7 +22,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import with_effect
 from ev3proto.tables.declaration import DIALECTS, Declaration, Direction, Effect, Parameter, Role, Type
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.tables.system import Field, Kind, SystemDeclaration
+from ev3proto.tables.system import FieldKind, SystemDeclaration, SystemField
 from ev3proto.text.phrases import argument_meaning, argument_value, plain
 
 _BY_UNIT = {"%": 50, "Hz": 440, "ms": 1000}
@@ -158,12 +158,12 @@ def system_example(entry: SystemDeclaration) -> Example:
     return Example(f"{package}.{name}({arguments})", function(**values, counter=_COUNTER).build())
 
 
-def _field_value(field: Field) -> Any:
+def _field_value(field: SystemField) -> Any:
     if field.counts is not None or field.optional or field.name == "max_bytes":
         return None
-    if field.kind is Kind.DATA:
+    if field.kind is FieldKind.DATA:
         return b"abc"
-    if field.kind in (Kind.TEXT, Kind.COUNTED_TEXT):
+    if field.kind in (FieldKind.TEXT, FieldKind.COUNTED_TEXT):
         return f"{_PATH}{_TEXT}.rtf" if field.name == "path" else _TEXT
     return 1
 

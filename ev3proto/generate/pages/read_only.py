@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from ev3proto.generate.pages.markdown import code, listed, plain, table
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Effect, declarations
-from ev3proto.tables.reading import MOST_FILES, MOST_PATH, MOST_WAITS, READING, Reading, reading_of
+from ev3proto.tables.reading import MOST_FILES, MOST_PATH, MOST_WAITS, READING, ReadOnly, reading_of
 from ev3proto.tables.system import SYSTEM
 
 _RULES = (
@@ -70,7 +70,7 @@ def _rows(names: Iterable[str]) -> Iterator[tuple[str, str]]:
             yield ", ".join(map(code, own)), plain(row.reason + _limits(row))
 
 
-def _limits(row: Reading) -> str:
+def _limits(row: ReadOnly) -> str:
     """Returns the limits of a row besides its reason, as sentences."""
     limits = [f" {name} needs {size} bytes." for name, size in row.room.items()]
     limits += [f" {name} is {value}." for name, value in row.only.items()]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
 from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
-from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, Field, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, SystemDeclaration, SystemField, SystemStatus
 
 
 def blocks() -> Iterator[str]:
@@ -70,13 +70,13 @@ def _facts(entry: SystemDeclaration) -> Iterator[str]:
         yield "It is never replied to."
 
 
-def _fields(title: str, entry: SystemDeclaration, fields: tuple[Field, ...]) -> str:
+def _fields(title: str, entry: SystemDeclaration, fields: tuple[SystemField, ...]) -> str:
     if not fields:
         return f"Its {title} has no fields."
     return table((title, "type", "what it is", "in Wireshark"), (_field(entry, field) for field in fields))
 
 
-def _field(entry: SystemDeclaration, field: Field) -> tuple[str, str, str, str]:
+def _field(entry: SystemDeclaration, field: SystemField) -> tuple[str, str, str, str]:
     meaning = sentence(field.text)
     if field.most is not None:
         meaning += f" At most {field.most} bytes."

@@ -38,11 +38,11 @@ from ev3proto.tables.encoding import (
     RANGES,
     STRING_CODING,
     TEXT,
-    Range,
+    NumberRange,
 )
 from ev3proto.tables.enumerations import ENUMERATIONS, FORMAT_TYPES
 from ev3proto.tables.frame import MessageType
-from ev3proto.tables.system import SYSTEM, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemStatus
 from ev3proto.version import VERSION
 
 TABLES_NAME = "ev3-tables.json"
@@ -99,7 +99,7 @@ _NAN = {
 class _Type(NamedTuple):
     name: str
     size: int = 0
-    limits: Range | None = None
+    limits: NumberRange | None = None
     nan: int | str | None = None
 
 
@@ -283,7 +283,7 @@ _FIELD = Shape(
     "a field of a system message",
     {
         "name": name("as ev3proto calls it"),
-        "kind": (one_of([kind.value for kind in Kind], _KINDS), lambda it: it.kind.value),
+        "kind": (one_of([kind.value for kind in FieldKind], _KINDS), lambda it: it.kind.value),
         "text": _LINE,
         "counts": name("of lengths: the field whose bytes they count"),
         "optional": flag("senders may omit it"),
@@ -434,7 +434,7 @@ def _document() -> Shape:
             ),
             "daisy_commands": (
                 array(ref("daisy_command"), "what bricks say to each other when they are joined by USB"),
-                list(map(_DAISY_COMMAND.data, daisy.DaisyCommand)),
+                list(map(_DAISY_COMMAND.data, daisy.DaisySubCommand)),
             ),
             "carriers": _CARRIERS.nested,
             "constants": (

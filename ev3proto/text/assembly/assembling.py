@@ -19,14 +19,14 @@ from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.syntax import (
     Call,
     Closing,
-    Declaration,
     Define,
-    Header,
     Label,
+    MessageHeader,
     Opening,
     Raw,
     RawFrame,
     Statement,
+    VariableDeclaration,
 )
 from ev3proto.text.assembly.values import Encoder
 
@@ -85,7 +85,7 @@ class _Work:
     def take(self, statement: Statement) -> Iterator[Message]:
         """Adds a statement; yields messages that are complete. Errors are kept."""
         try:
-            if isinstance(statement, Header | RawFrame):
+            if isinstance(statement, MessageHeader | RawFrame):
                 yield from self.finish()
                 self._pending = begun_by(statement, self._encoder)
             elif isinstance(statement, Call) and (entry := self._system_alone(statement)) is not None:
@@ -128,7 +128,7 @@ class _Work:
         match statement:
             case Define():
                 self._define(statement)
-            case Declaration():
+            case VariableDeclaration():
                 self._declare(statement)
             case Label(at, name):
                 pending = self._pending_operations(at, "a label")
@@ -180,7 +180,7 @@ class _Work:
             raise SourceError(at, f"{what} is not allowed in {name}, which has no operations")
         return pending
 
-    def _declare(self, statement: Declaration) -> None:
+    def _declare(self, statement: VariableDeclaration) -> None:
         self._pending_operations(statement.at, "a variable")
         count = 1
         if statement.size is not None:

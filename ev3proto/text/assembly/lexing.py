@@ -15,8 +15,8 @@ NAME, NUMBER, WORD, TEXT, MARK, BAD, END = "name", "number", "word", "text", "ma
 """Kinds of tokens. A word starts like a number but is not one, such as bytes in hex."""
 
 
-class Token(NamedTuple):
-    """A token."""
+class Lexeme(NamedTuple):
+    """A token of a source."""
 
     kind: str
     text: str  # as written; for a bad token, the error message
@@ -51,7 +51,7 @@ def _pattern(notation: Notation) -> re.Pattern[str]:
     return re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in pieces.items()), re.ASCII)
 
 
-def tokens(text: str, notation: Notation) -> Iterator[Token]:
+def tokens(text: str, notation: Notation) -> Iterator[Lexeme]:
     """Yields the tokens of a text, and one for its end. Anything else is a bad token; nothing is raised."""
     is_first = True
     for found in _pattern(notation).finditer(text):
@@ -66,17 +66,17 @@ def tokens(text: str, notation: Notation) -> Iterator[Token]:
                 is_first |= "\n" in written or "\r" in written
                 continue
             case "open" if written[0] == "/":
-                yield Token(BAD, "the comment that starts here has no */", at, is_first)
+                yield Lexeme(BAD, "the comment that starts here has no */", at, is_first)
             case "open":
-                yield Token(BAD, f"the text that starts here has no {written[0]} at its end", at, is_first)
+                yield Lexeme(BAD, f"the text that starts here has no {written[0]} at its end", at, is_first)
             case "bad":
-                yield Token(BAD, f"unexpected {written!r}", at, is_first)
+                yield Lexeme(BAD, f"unexpected {written!r}", at, is_first)
             case "name" if notation.folds:
-                yield Token(NAME, written.upper(), at, is_first)
+                yield Lexeme(NAME, written.upper(), at, is_first)
             case _:
-                yield Token(str(kind), written, at, is_first)
+                yield Lexeme(str(kind), written, at, is_first)
         is_first = False
-    yield Token(END, "", len(text), True)
+    yield Lexeme(END, "", len(text), True)
 
 
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|.)", re.DOTALL)
@@ -96,7 +96,7 @@ _ESCAPES = {
 _KNOWN_ESCAPES = r"\n \r \t \b \f \q (an apostrophe) \0 \" \' \\ \/ \x41 \u0041"
 
 
-def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
+def text_of(token: Lexeme, notation: Notation, coding: str, warnings: list[tuple[int, str]]) -> str:
     """Returns the text between quotes, each byte of its coding a character. Raises SourceError."""
     body = token.text[1:-1]
     if notation.escapes is None or token.text[0] == '"':
@@ -110,7 +110,7 @@ def text_of(token: Token, notation: Notation, coding: str, warnings: list[tuple[
         return bytes(ord(character) & 0xFF for character in body).decode(STRING_CODING)
 
 
-def _unescaped(token: Token, body: str) -> str:
+def _unescaped(token: Lexeme, body: str) -> str:
     """Replaces escapes as in C. A backslash before a blank stays: file names need it."""
 
     def meant(found: re.Match[str]) -> str:
@@ -126,7 +126,7 @@ def _unescaped(token: Token, body: str) -> str:
     return _ESCAPE.sub(meant, body) if "\\" in body else body
 
 
-def _replaced(token: Token, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
+def _replaced(token: Lexeme, body: str, notation: Notation, warnings: list[tuple[int, str]]) -> str:
     """Replaces the escapes of a program's notation, kind after kind."""
     escapes = notation.escapes or ()
     if not notation.by_line:

@@ -6,8 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from ev3proto.errors import BuildError, near_misses
-from ev3proto.messages import DaisyCommand as DaisyMessage
-from ev3proto.messages import DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
 from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
@@ -15,7 +14,7 @@ from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.footprint import footprints
-from ev3proto.tables.daisy import DaisyCommand
+from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING
 from ev3proto.tables.frame import (
     COUNTERS,
@@ -25,11 +24,11 @@ from ev3proto.tables.frame import (
     MAX_LOCALS,
     MessageType,
 )
-from ev3proto.tables.system import SYSTEM, Field, Kind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import LocalNames, choice
 from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, command_name
-from ev3proto.text.assembly.syntax import Call, Header, Name, Raw, RawFrame, WrittenArgument
+from ev3proto.text.assembly.syntax import Call, MessageHeader, Name, Raw, RawFrame, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece, joined
 
 COUNTER, LENGTH, GLOBALS, LOCALS = "counter", "length", "globals", "locals"
@@ -126,9 +125,9 @@ class PendingMessage:
         if not self.type.is_command:
             return DaisyReply(type=self.type, counter=counter, layer_from=layer_from, layer_to=layer_to, flaw=flaw)
         if COMMAND not in self.facts:
-            known = ", ".join(command.name for command in DaisyCommand)
+            known = ", ".join(command.name for command in DaisySubCommand)
             raise SourceError(self.at, f"a daisy command needs a command: {known}, or a number")
-        return DaisyMessage(
+        return DaisyCommand(
             type=self.type,
             counter=counter,
             number=self.facts[COMMAND],
@@ -158,7 +157,7 @@ class PendingMessage:
         return sizes
 
 
-def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
+def begun_by(header: MessageHeader | RawFrame, encoder: Encoder) -> PendingMessage:
     """Returns the message that a header begins. Raises SourceError."""
     if isinstance(header, RawFrame):
         return PendingMessage(header.at, is_frame=True, is_lenient=True, has_header=True)
@@ -172,12 +171,12 @@ def begun_by(header: Header | RawFrame, encoder: Encoder) -> PendingMessage:
         if name in pending.facts:
             raise SourceError(named.at, f"{name} is given already")
         if name == COMMAND and isinstance(value, Name):
-            names = [command.name for command in DaisyCommand]
+            names = [command.name for command in DaisySubCommand]
             found = choice(value.text, value.at, "unknown daisy command", names, ", or a number")
-            pending.facts[name] = int(DaisyCommand[found])
+            pending.facts[name] = int(DaisySubCommand[found])
             continue
         pending.facts[name] = encoder.whole(value, name, 0, known[name])
-    pending.is_lenient = LENGTH in pending.facts or pending.facts.get(COMMAND) not in (None, *DaisyCommand)
+    pending.is_lenient = LENGTH in pending.facts or pending.facts.get(COMMAND) not in (None, *DaisySubCommand)
     return pending
 
 
@@ -255,12 +254,12 @@ def _values(
     return values
 
 
-def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldValue | float:
+def _value(field: SystemField, argument: WrittenArgument, encoder: Encoder) -> FieldValue | float:
     value = argument.value
     if field.kind in NUMBERS:
         return encoder.whole(value, field.name, 0, (1 << 8 * NUMBERS[field.kind].sizeof()) - 1)
     if isinstance(value, Raw):
-        return value.data if field.kind is Kind.DATA else value.data.decode(STRING_CODING)
+        return value.data if field.kind is FieldKind.DATA else value.data.decode(STRING_CODING)
     if field.is_message and isinstance(value, Name) and value.text.lower() in _LOGIC:
         return _LOGIC[value.text.lower()]
     found = encoder.meaning(value)
@@ -269,9 +268,9 @@ def _value(field: Field, argument: WrittenArgument, encoder: Encoder) -> FieldVa
             return found
         raise SourceError(value.at, f"{field.name} takes a text, a number, true, false or bytes(01 FF), not {found!r}")
     if not isinstance(found, str):
-        expected = "a text or bytes(01 FF)" if field.kind is Kind.DATA else "a text"
+        expected = "a text or bytes(01 FF)" if field.kind is FieldKind.DATA else "a text"
         raise SourceError(value.at, f"{field.name} takes {expected}, not {found!r}")
-    if field.kind is not Kind.DATA:
+    if field.kind is not FieldKind.DATA:
         return found
     try:
         return text_bytes(found, field.name, zeros=True)

@@ -30,7 +30,7 @@ OBJECT_PARAMETER = "OBJID"
 """The name of all parameters that are numbers of objects."""
 
 
-class Place(NamedTuple):
+class Variable(NamedTuple):
     """A variable."""
 
     at: int  # where it is declared in the text
@@ -73,7 +73,7 @@ class Encoded(NamedTuple):
     data: bytes
 
 
-Meaning = int | float | str | Place | Callee | Goal | Encoded
+Meaning = int | float | str | Variable | Callee | Goal | Encoded
 """The meaning of a value. LEGO's defines may be Fractions."""
 
 
@@ -86,9 +86,9 @@ class Memory:
         self._notation = notation
         self._limit = limit
 
-    def place(self, at: int, name: str, kind: Type, count: int, is_array: bool) -> Place:
+    def place(self, at: int, name: str, kind: Type, count: int, is_array: bool) -> Variable:
         """Allocates the next variable. Raises SourceError if the memory is full."""
-        new = Place(at, self.scope, 0, kind, count, is_array)
+        new = Variable(at, self.scope, 0, kind, count, is_array)
         if self._notation.rules.aligns_elements:
             start = -(-self.size // new.width) * new.width
         else:
@@ -111,7 +111,7 @@ def is_object(parameter: Parameter | None) -> bool:
 class LocalNames:
     """The names of one object, or of one message: variables and defines so far, and labels with their places."""
 
-    places: dict[str, Place] = field(default_factory=dict)
+    places: dict[str, Variable] = field(default_factory=dict)
     defines: dict[str, Define] = field(default_factory=dict)
     labels: dict[str, int] = field(default_factory=dict)
 
@@ -124,7 +124,7 @@ class Names:
 
     def __init__(self, notation: Notation, value: Callable[[Define, LocalNames], Meaning]) -> None:
         self.notation = notation
-        self.globals: dict[str, list[Place]] = {}
+        self.globals: dict[str, list[Variable]] = {}
         self.objects: dict[str, Callee] = {}
         self.defines: dict[str, Define] = {}
         self.local = LocalNames()

@@ -33,29 +33,29 @@ from ev3proto.text.assembly.names import (
     Meaning,
     Memory,
     Names,
-    Place,
+    Variable,
     firmware_names,
     is_object,
 )
 from ev3proto.text.assembly.notations import OF_BASIC, Notation, Rules
 from ev3proto.text.assembly.parsing import Parser
-from ev3proto.text.assembly.settings import OPEN, OWN, Settings
+from ev3proto.text.assembly.settings import OPEN, OWN, ImageSettings
 from ev3proto.text.assembly.syntax import (
     Call,
     Closing,
-    Declaration,
     Define,
     Distance,
-    Form,
     Label,
     Marked,
     Name,
+    NamedEncoding,
     Number,
     Opening,
     Raw,
     Statement,
     Unchecked,
     Value,
+    VariableDeclaration,
     WrittenArgument,
 )
 from ev3proto.text.assembly.values import Encoder, Piece, encoded_parts, integer, part_sizes
@@ -87,7 +87,7 @@ class AssembledObject(NamedTuple):
 class AssembledProgram(NamedTuple):
     """A program."""
 
-    settings: Settings  # the settings in the source
+    settings: ImageSettings  # the settings in the source
     global_size: int  # bytes of global memory
     objects: list[AssembledObject]  # the objects, in the order of their numbers
 
@@ -123,7 +123,7 @@ class ProgramAssembler:
         self.errors: list[SourceError] = []  # its errors
         self.warnings = parser.warnings  # (offset, message) of valid but probably unintended code
         self._notation = notation
-        self._settings = Settings(text, self.errors)
+        self._settings = ImageSettings(text, self.errors)
         # The notation alone decides where variables are.
         said = self._settings.rules
         self._rules = rules or said or notation.rules
@@ -133,7 +133,7 @@ class ProgramAssembler:
         self._encoder = Encoder(self._names, self._rules, self.warnings)
         self._globals = Memory(GLOBAL, notation, MAX_MEMORY)
         self._objects: list[_Object] = []
-        self._declarations: list[Declaration] = []
+        self._declarations: list[VariableDeclaration] = []
         self._group(parser.statements())
 
     def _keep(self, error: SourceError) -> None:
@@ -164,7 +164,7 @@ class ProgramAssembler:
                         if current is not None:
                             self.warnings.append((statement.at, "a define inside an object is known in the whole file"))
                         defines.append(statement)
-                    case Declaration(scope=scope) if current is None or scope == GLOBAL:
+                    case VariableDeclaration(scope=scope) if current is None or scope == GLOBAL:
                         self._declarations.append(statement)
                     case _ if current is None:
                         what = cited(getattr(statement, "name", "this"))
@@ -266,13 +266,13 @@ class ProgramAssembler:
                 raise SourceError(one.head.at, f"a subcall has at most {MAX_PARAMETERS} parameters, not {count}")
         self._names.objects[one.head.name] = Callee(number, one.head.at, one.head.word, parameters)
 
-    def _global(self, item: Declaration) -> None:
+    def _global(self, item: VariableDeclaration) -> None:
         self._check_new(item.at, item.name)
         if item.word in PARAMETER_WORDS:
             raise SourceError(item.at, f"{item.word} declares a parameter, which only a subcall has")
         self._names.globals.setdefault(item.name, []).append(self._place(item, self._globals))
 
-    def _place(self, item: Declaration, memory: Memory) -> Place:
+    def _place(self, item: VariableDeclaration, memory: Memory) -> Variable:
         """Returns the memory of a declaration."""
         kind = VARIABLE_WORDS.get(item.word, Type.DATA8)
         if item.word in PARAMETER_WORDS:
@@ -372,7 +372,7 @@ class ProgramAssembler:
                     what = "in this object it means the label" if is_hiding else "jumps to it mean that"
                     self.warnings.append((at, f"{name} is a name of the firmware: {what}"))
                 one.labels[name] = len(one.parts)
-            case Declaration():
+            case VariableDeclaration():
                 self._local(statement, one)
             case Define(at, name):
                 if name in one.names.places or name in one.names.defines:
@@ -382,7 +382,7 @@ class ProgramAssembler:
                 one.parts.append(data)
                 one.last = ""
 
-    def _local(self, item: Declaration, one: _Object) -> None:
+    def _local(self, item: VariableDeclaration, one: _Object) -> None:
         if item.name in one.names.places or item.name in one.names.defines:
             self._check_twice(item.at, f"{cited(item.name)} is declared already")
         is_parameter = item.word in PARAMETER_WORDS
@@ -461,7 +461,7 @@ class ProgramAssembler:
 
     def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
         """Returns the bytes or jump of an argument, and its meaning; None if that is not checked."""
-        if isinstance(value, Raw | Form | Marked | Distance | Unchecked):
+        if isinstance(value, Raw | NamedEncoding | Marked | Distance | Unchecked):
             return self._encoder.argument(value), None
         meaning = self._encoder.meaning(value, parameter)
         return self._encoder.encoded(meaning, value), meaning
@@ -525,7 +525,7 @@ def _parameters_of(call: Call) -> tuple[Parameter, ...]:
 
 def _declared_by(body: Iterable[Statement]) -> tuple[tuple[Direction, Type], ...]:
     """Returns direction and type of the parameters that a subcall declares."""
-    words = (it.word for it in body if isinstance(it, Declaration))
+    words = (it.word for it in body if isinstance(it, VariableDeclaration))
     return tuple(PARAMETER_WORDS[word] for word in words if word in PARAMETER_WORDS)
 
 
@@ -592,7 +592,7 @@ def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Valu
 def _of_one(operation: str, parameter: Parameter, argument: Value, value: Meaning | None) -> Warnings:
     reason = (
         _wrong_place(parameter, value)
-        if isinstance(value, Place)
+        if isinstance(value, Variable)
         else _wrong_constant(parameter, value)
         if isinstance(value, int | float | str)
         else None
@@ -625,7 +625,7 @@ def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | Non
     return None
 
 
-def _wrong_place(parameter: Parameter, place: Place) -> str | None:
+def _wrong_place(parameter: Parameter, place: Variable) -> str | None:
     kind = parameter.type
     if kind in _UNTYPED or parameter.counts or place.type is kind:
         return None

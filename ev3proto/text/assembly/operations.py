@@ -18,7 +18,7 @@ from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import NOT_NUMBERS, choice
 from ev3proto.text.assembly.notations import SHORTEST
 from ev3proto.text.assembly.parsing import is_operation_word
-from ev3proto.text.assembly.syntax import Call, Form, Name, Number, Raw, Value, WrittenArgument
+from ev3proto.text.assembly.syntax import Call, Name, NamedEncoding, Number, Raw, Value, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece
 
 _MOST_NAMED = 8
@@ -104,7 +104,7 @@ class Assembler:
     def _cmd(self, family: FamilySchema, value: Value) -> tuple[bytes, int]:
         """Returns the bytes of CMD and its number."""
         named = value
-        while isinstance(named, Form):
+        while isinstance(named, NamedEncoding):
             named = named.value
         # A name that the text defines may be that of a CMD, too: LEGO's sources define SIZE and LINE.
         if isinstance(named, Name) and (
@@ -209,7 +209,7 @@ def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], argume
 
 def _is_meant(value: Value) -> bool:
     """Returns whether the encoding was written explicitly."""
-    if isinstance(value, Form):
+    if isinstance(value, NamedEncoding):
         return value.name not in SHORTEST
     return isinstance(value, Raw) or (isinstance(value, Name) and value.text in NOT_NUMBERS)
 

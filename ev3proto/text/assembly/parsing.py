@@ -25,7 +25,7 @@ from ev3proto.tables.source import (
     VARIABLE_WORDS,
 )
 from ev3proto.text.assembly.errors import SourceError, cited
-from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Token, text_of, tokens
+from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Lexeme, text_of, tokens
 from ev3proto.text.assembly.notations import (
     CUT,
     FORMS,
@@ -38,15 +38,14 @@ from ev3proto.text.assembly.notations import (
 from ev3proto.text.assembly.syntax import (
     Call,
     Closing,
-    Declaration,
     Define,
     Distance,
     Element,
-    Form,
-    Header,
     Label,
     Marked,
+    MessageHeader,
     Name,
+    NamedEncoding,
     Number,
     Opening,
     Pattern,
@@ -57,6 +56,7 @@ from ev3proto.text.assembly.syntax import (
     Text,
     Unchecked,
     Value,
+    VariableDeclaration,
     WrittenArgument,
 )
 
@@ -90,9 +90,9 @@ class Parser:
         self.warnings: list[tuple[int, str]] = []  # (offset, message) of valid but probably unintended code
         self._coding = coding
         self._tokens = tokens(text, notation)
-        self._ahead: deque[Token] = deque()
+        self._ahead: deque[Lexeme] = deque()
         self._depth = 0
-        self._last = Token(END, "", 0, True)
+        self._last = Lexeme(END, "", 0, True)
         self._heads = {word.upper() if notation.folds else word: word for word in notation.heads}
 
     def statements(self) -> Iterator[Statement | SourceError]:
@@ -159,7 +159,7 @@ class Parser:
         else:
             raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
 
-    def _of_message(self, token: Token) -> Statement:
+    def _of_message(self, token: Lexeme) -> Statement:
         """Parses a statement that only frames have."""
         word = token.text
         if word == MESSAGE:
@@ -173,7 +173,7 @@ class Parser:
             raise SourceError(token.at, f"a direct command has no subroutines: it is one piece, as a vmthread is{hint}")
         return self._macro_operation() if is_operation_word(word) else self._bare()
 
-    def _header(self) -> Header:
+    def _header(self) -> MessageHeader:
         at = self._next().at
         kind = self._name_of(self._next()) if self._is_name_here() and self._peek().text.isupper() else None
         facts: list[tuple[Name, Number | Name]] = []
@@ -183,7 +183,7 @@ class Parser:
             if value.is_first or value.kind not in (NUMBER, NAME):
                 raise self._line_end(f"the value of {name.text}")
             facts.append((name, self._number() if value.kind == NUMBER else self._name_of(self._next())))
-        return Header(at, kind, tuple(facts))
+        return MessageHeader(at, kind, tuple(facts))
 
     def _define(self) -> Define:
         self._next()
@@ -214,7 +214,7 @@ class Parser:
             self._next()
             self._skip_line()
 
-    def _declaration(self) -> Declaration:
+    def _declaration(self) -> VariableDeclaration:
         notation = self.notation
         scope = None
         if notation.has_messages and self._peek().text in OLD_WORDS:
@@ -238,7 +238,7 @@ class Parser:
             raise self._line_end(f"the number of elements of {name.text}")
         if notation.last_counts and kind.text in OLD_WORDS:
             scope = kind.text
-        return Declaration(name.at, kind.text, name.text, size, scope)
+        return VariableDeclaration(name.at, kind.text, name.text, size, scope)
 
     def _call(self) -> Call:
         """Parses `NAME(value, value)`. In frames the ) may be missing at the end of a line; doubled commas are one."""
@@ -361,7 +361,7 @@ class Parser:
             self._check_blank(start)
         return Call(token.at, token.text, tuple(arguments), self._last.end)
 
-    def _check_blank(self, start: Token) -> None:
+    def _check_blank(self, start: Lexeme) -> None:
         """Raises SourceError if a word continues after the part that was parsed: blanks separate words."""
         following = self._peek()
         is_glued = not following.is_first and following.at == self._last.end and following.kind != TEXT
@@ -521,7 +521,7 @@ class Parser:
             with self._deeper(token):
                 value = self._value()
             self._expect(")")
-            return Form(token.at, token.text, value)
+            return NamedEncoding(token.at, token.text, value)
         if following.is_mark("(") and self.notation.has_messages:
             known = ", ".join((*FORMS, *MARKS))
             raise SourceError(token.at, f"unknown macro {cited(token.text)}: there are {known} and {BYTES}(01 FF)")
@@ -535,13 +535,13 @@ class Parser:
         self._expect("]")
         return Element(name.at, name.text, index)
 
-    def _raw(self, token: Token) -> Raw:
+    def _raw(self, token: Lexeme) -> Raw:
         self._expect("(")
         data = self._hex(until_mark=True)
         self._expect(")")
         return Raw(token.at, data)
 
-    def _spelled_text(self) -> Form:
+    def _spelled_text(self) -> NamedEncoding:
         """Parses `LCS, 'L','E','G','O', 0`, which is how C writes a text."""
         token = self._next()
         letters: list[str] = []
@@ -556,7 +556,7 @@ class Parser:
                 raise self._unexpected("a letter such as 'L', or the 0 that ends the text")
             letters.append(body)
             self._next()
-        return Form(token.at, token.text, Text(token.at, "".join(letters)))
+        return NamedEncoding(token.at, token.text, Text(token.at, "".join(letters)))
 
     def _number(self, sign: int = 1, at: int | None = None) -> Number:
         """Parses a number; `at` is the place of its sign."""
@@ -634,7 +634,7 @@ class Parser:
 
     # Tokens
 
-    def _peek(self, count: int = 0) -> Token:
+    def _peek(self, count: int = 0) -> Lexeme:
         ahead = self._ahead
         if len(ahead) > count:
             return ahead[count]
@@ -642,7 +642,7 @@ class Parser:
             ahead.append(next(self._tokens))
         return ahead[-1]
 
-    def _next(self) -> Token:
+    def _next(self) -> Lexeme:
         token = self._peek()
         if token.kind != END:
             self._ahead.popleft()
@@ -650,7 +650,7 @@ class Parser:
         return token
 
     @staticmethod
-    def _name_of(token: Token) -> Name:
+    def _name_of(token: Lexeme) -> Name:
         return Name(token.at, token.text)
 
     def _is_name_here(self, *, is_same_line: bool = True) -> bool:
@@ -662,13 +662,13 @@ class Parser:
             raise self._line_end(what) if is_same_line else self._unexpected(what)
         return self._name_of(self._next())
 
-    def _expect(self, mark: str, what: str | None = None) -> Token:
+    def _expect(self, mark: str, what: str | None = None) -> Lexeme:
         if not self._peek().is_mark(mark):
             raise self._unexpected(what or mark)
         return self._next()
 
     @contextmanager
-    def _deeper(self, token: Token) -> Iterator[None]:
+    def _deeper(self, token: Lexeme) -> Iterator[None]:
         """Counts one level of nesting within the context."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
@@ -690,5 +690,5 @@ class Parser:
         return SourceError(token.at, f"expected {expected}, found {self._shown(token)}{hint}")
 
     @staticmethod
-    def _shown(token: Token) -> str:
+    def _shown(token: Lexeme) -> str:
         return "the end of the text" if token.kind == END else cited(token.text)

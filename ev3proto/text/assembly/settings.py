@@ -41,7 +41,7 @@ _RULES = {rules.name: rules for rules in (OF_LEGO, OF_EV3_G, OF_BASIC)}
 """The rules that a source can ask for by their names: `// ev3proto: shortest`."""
 
 
-class Settings:
+class ImageSettings:
     """The settings of a source."""
 
     def __init__(self, text: str, errors: list[SourceError]) -> None:

@@ -66,7 +66,7 @@ class Sum(NamedTuple):
     operators: tuple[tuple[int, str], ...]
 
 
-class Form(NamedTuple):
+class NamedEncoding(NamedTuple):
     """`LC2(440)`, `HND(LV1(4))`: a value in the encoding that is named."""
 
     at: int
@@ -88,7 +88,7 @@ class Unchecked(NamedTuple):
     value: Value
 
 
-Value = Number | Text | Name | Element | Marked | Distance | Sum | Form | Raw | Unchecked
+Value = Number | Text | Name | Element | Marked | Distance | Sum | NamedEncoding | Raw | Unchecked
 
 
 class WrittenArgument(NamedTuple):
@@ -106,7 +106,7 @@ class WrittenArgument(NamedTuple):
 # Statements
 
 
-class Header(NamedTuple):
+class MessageHeader(NamedTuple):
     """`message TYPE counter 42 globals 4`: the start of a message; without a type, of a direct command."""
 
     at: int
@@ -128,7 +128,7 @@ class Define(NamedTuple):
     value: Value
 
 
-class Declaration(NamedTuple):
+class VariableDeclaration(NamedTuple):
     """`DATA8 x`, `ARRAY8 x 20`, `IN_S text 20`, `local DATAF f`: a variable or a parameter."""
 
     at: int  # the place of its name
@@ -170,4 +170,4 @@ class Closing(NamedTuple):
     at: int
 
 
-Statement = Header | RawFrame | Raw | Define | Declaration | Label | Call | Opening | Closing
+Statement = MessageHeader | RawFrame | Raw | Define | VariableDeclaration | Label | Call | Opening | Closing

@@ -29,15 +29,15 @@ from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.text.assembly.errors import SourceError, cited
-from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Place
+from ev3proto.text.assembly.names import NOT_NUMBERS, Callee, Encoded, Goal, Meaning, Names, Variable
 from ev3proto.text.assembly.notations import MARKS, SHORTEST, Jumps, Rules
 from ev3proto.text.assembly.syntax import (
     Define,
     Distance,
     Element,
-    Form,
     Marked,
     Name,
+    NamedEncoding,
     Number,
     Pattern,
     Raw,
@@ -215,13 +215,13 @@ class Encoder:
                 return self.meaning(inner, parameter)
             case Element():
                 return self._part(value)
-        found = value.sign if isinstance(value, Marked) else value.name if isinstance(value, Form) else "bytes"
+        found = value.sign if isinstance(value, Marked) else value.name if isinstance(value, NamedEncoding) else "bytes"
         raise SourceError(value.at, f"expected a number, a text or a name, found {found}")
 
     def whole(self, value: Value, what: str, low: int, high: int) -> int:
         """Returns a whole number in a range. Raises SourceError, which names `what`."""
         found = self.meaning(value)
-        if isinstance(found, Place | Encoded | Callee | Goal):
+        if isinstance(found, Variable | Encoded | Callee | Goal):
             raise SourceError(value.at, f"{what} must be a whole number from {low} to {high}")
         if isinstance(found, Fraction) and not self._is_typed:
             found = int(found)
@@ -233,7 +233,7 @@ class Encoder:
 
     def whole_or_none(self, value: Value) -> int | None:
         """Returns a whole number, which may be in a macro; None for other values."""
-        while isinstance(value, Form):
+        while isinstance(value, NamedEncoding):
             value = value.value
         try:
             found = self.meaning(value)
@@ -285,7 +285,7 @@ class Encoder:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
         return f"unknown {what} {cited(name)}{hint}"
 
-    def _part(self, value: Element) -> Place:
+    def _part(self, value: Element) -> Variable:
         """Returns a part of a declared variable."""
         place = self._variable(value.text, value.at)
         if value.is_byte and isinstance(value.number, Number):
@@ -294,9 +294,9 @@ class Encoder:
         number = self.whole(value.number, f"an index of {value.text}", 0, place.elements - 1)
         return place._replace(start=place.start + number * place.width, elements=place.elements - number)
 
-    def _variable(self, name: str, at: int) -> Place:
+    def _variable(self, name: str, at: int) -> Variable:
         found = self.names.meaning(name, at)
-        if not isinstance(found, Place):
+        if not isinstance(found, Variable):
             hint = near_misses(name, (*self.names.local.places, *self.names.globals))
             raise SourceError(at, f"unknown variable {cited(name)}{hint or ': DATA8, DATAF and others declare one'}")
         return found
@@ -367,7 +367,7 @@ class Encoder:
                 return schema.write(data) if self._is_typed else data
             case Unchecked(_, inner):
                 return self._argument(inner, schema)
-            case Form():
+            case NamedEncoding():
                 return self._form(value, schema)
             case Marked():
                 return self._marked(value)
@@ -385,7 +385,7 @@ class Encoder:
                 return schema.write(data)
             case Goal(name):
                 return PendingJump(value.at, name)
-            case Place():
+            case Variable():
                 if self._is_typed:
                     self._check_room(meaning, value, schema.parameter)
                 return variable(meaning.scope, meaning.start, self.rules)
@@ -410,7 +410,7 @@ class Encoder:
             self.warnings.append((value.at, f"{cited(part.text)} is a {place.type}, and @ is for a HANDLE"))
         return variable(place.scope, place.start, self.rules, handle=value.sign == "@", address=value.sign == "&")
 
-    def _check_room(self, place: Place, value: Value, parameter: Parameter) -> None:
+    def _check_room(self, place: Variable, value: Value, parameter: Parameter) -> None:
         """Raises SourceError if a parameter is larger than its variable."""
         room = place.width * place.elements
         if parameter.type.size > room and not parameter.any_type:
@@ -423,7 +423,7 @@ class Encoder:
 
     # Macros
 
-    def _form(self, form: Form, schema: ArgumentSchema) -> Piece:
+    def _form(self, form: NamedEncoding, schema: ArgumentSchema) -> Piece:
         """Returns a value in a named encoding."""
         name, part = form.name, form.value
         if name in MARKS:
@@ -468,7 +468,7 @@ class Encoder:
 
     def _variable_form(self, name: str, part: Value, meaning: Meaning) -> bytes:
         scope = _SCOPES[name[0]]
-        if isinstance(meaning, Place):
+        if isinstance(meaning, Variable):
             if meaning.scope != scope:
                 raise SourceError(part.at, f"{name} is for {scope} variables, and this is a {meaning.scope} one")
             index = meaning.start

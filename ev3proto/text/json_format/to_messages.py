@@ -31,7 +31,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables.declaration import Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, MAX_LOCALS, MessageType
-from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, Field, Kind, SystemStatus
+from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemField, SystemStatus
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import Seen
 
@@ -234,10 +234,10 @@ def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
     return completed
 
 
-def _field(field: Field | None, name: str, given: Mapping[str, Any]) -> Any:
-    if field is None or (field.kind not in NUMBERS and field.kind is not Kind.DATA):
+def _field(field: SystemField | None, name: str, given: Mapping[str, Any]) -> Any:
+    if field is None or (field.kind not in NUMBERS and field.kind is not FieldKind.DATA):
         return given[name]
-    return _bytes(given, name) if field.kind is Kind.DATA else _whole(given, name, 0xFFFFFFFF)
+    return _bytes(given, name) if field.kind is FieldKind.DATA else _whole(given, name, 0xFFFFFFFF)
 
 
 # Operations

@@ -16,7 +16,7 @@ from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, has_place, is_prose, is_wrong_frame, may_begin
 from ev3proto.text.paste.heads import head_of, is_head
-from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, Slip, short
+from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
 from ev3proto.text.paste.sequences import Part, Values, best, within
 from ev3proto.text.paste.strangers import strange_bytes
@@ -61,7 +61,7 @@ class Near(NamedTuple):
     problem: str | None = None
     cut: bool = False
     notes: tuple[str, ...] = ()
-    slip: Slip | None = None
+    slip: SlipPlace | None = None
 
 
 def near(sequences: Iterable[Values], rows: Sequence[Row]) -> Near | None:
@@ -96,7 +96,7 @@ def _scanned(row: Row) -> Near | None:
         frame.start,
         max(end, frame.start + 1),
         problem,
-        slip=Slip(row.number, slip.start() + 1),
+        slip=SlipPlace(row.number, slip.start() + 1),
     )
 
 
@@ -202,7 +202,7 @@ def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
             first = rows[0].tokens[0]
             problem = f"column {at + 1}: {not_a_byte(word[1])}"
             yield Near(
-                b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem, slip=Slip(rows[0].number, at + 1)
+                b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem, slip=SlipPlace(rows[0].number, at + 1)
             )
         assert lesson
 
@@ -252,7 +252,7 @@ def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     if word is None or not _is_slip(word[1], last.text) or (follows is not None and follows.start <= word.start(1)):
         return found
     problem = not_a_byte(word[1], is_hex=last.kind == "digits")
-    slip = Slip(last.line, word.start(1) + 1)
+    slip = SlipPlace(last.line, word.start(1) + 1)
     return found._replace(problem=f"{_where(last, rows)}column {slip.column}: {problem}", slip=slip)
 
 
@@ -262,7 +262,7 @@ def _stopped(found: Near, token: Token, rows: Sequence[Row]) -> Near:
     if slip.is_cut:
         return found._replace(problem=None, cut=True)
     problem = f"{_where(token, rows)}column {slip.column + 1}: {slip.problem}"
-    return found._replace(problem=problem, slip=Slip(token.line, slip.column + 1))
+    return found._replace(problem=problem, slip=SlipPlace(token.line, slip.column + 1))
 
 
 def _where(token: Token, rows: Sequence[Row]) -> str:
@@ -374,14 +374,14 @@ def as_given(line: str) -> Pasted:
             return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem, slip=found.slip)
     if row.tokens and row.is_bare:
         begun = _partial(row.tokens[0])
-        slip = Slip(1, begun.column + 1)
+        slip = SlipPlace(1, begun.column + 1)
         return Pasted(b"", 1, shown, problem=f"column {slip.column}: {begun.problem}", slip=slip)
     if not line.strip():
         return Pasted(b"", 1, "", problem="it is empty")
     word = line.split()[0].rstrip("\"'`)]}>;,")
-    slip = Slip(1, 1)
+    slip = SlipPlace(1, 1)
     problem = f"column 1: {short(word)!r} is not hex" if word.strip("-") else "column 1: it contains no readable bytes"
     if len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
-        slip = Slip(1, strange.start() + 1)
+        slip = SlipPlace(1, strange.start() + 1)
         problem = f"column {slip.column}: {strange[0]!r} is not a hex digit"
     return Pasted(b"", 1, shown, problem=problem, slip=slip)

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import with_length
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import Edges, Frame, frames_in, has_place, is_command, is_sure
+from ev3proto.text.paste.frames import Edges, FrameSpan, frames_in, has_place, is_command, is_sure
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
 
@@ -50,7 +50,7 @@ class Part(NamedTuple):
     first: int
     data: bytes
     offsets: list[int]
-    frames: list[Frame]
+    frames: list[FrameSpan]
 
     @property
     def last(self) -> int:

@@ -1,4 +1,4 @@
-"""Places in memory: the location of a parameter's value, which is read and written there in every type.
+"""Locations in memory: the place of a parameter's value, which is read and written there in every type.
 
 Everything that programs can reach is a `bytearray`: global and local memory, the contents of arrays, the code itself.
 A place is one of these and an offset. Nothing is read or written outside of it: that raises `WildAccess`.
@@ -20,7 +20,7 @@ NOT_A_NUMBER = 0x7FC00000
 """The bits of the brick's own NaN."""
 
 
-class Place:
+class Location:
     """The location of a value."""
 
     __slots__ = ("at", "buffer", "handle")
@@ -34,9 +34,9 @@ class Place:
     def __repr__(self) -> str:
         return f"<place {self.at} of {len(self.buffer)} bytes{f', handle {self.handle}' * (self.handle >= 0)}>"
 
-    def moved(self, distance: int) -> Place:
+    def moved(self, distance: int) -> Location:
         """Returns the place at a distance in bytes."""
-        return Place(self.buffer, self.at + distance)
+        return Location(self.buffer, self.at + distance)
 
     def _whole(self, size: int) -> int:
         if self.at < 0 or self.at + size > len(self.buffer):
@@ -126,11 +126,11 @@ class Place:
             self.write_text(text[: room - 1] if room > 0 else text)
 
 
-WRITERS: dict[Type, Callable[[Place, Any], None]] = {
-    Type.DATA8: Place.write8,
-    Type.DATA16: Place.write16,
-    Type.HANDLE: Place.write16,
-    Type.DATA32: Place.write32,
-    Type.DATAF: Place.write_float,
+WRITERS: dict[Type, Callable[[Location, Any], None]] = {
+    Type.DATA8: Location.write8,
+    Type.DATA16: Location.write16,
+    Type.HANDLE: Location.write16,
+    Type.DATA32: Location.write32,
+    Type.DATAF: Location.write_float,
 }
 """How a value of each type with a size is written."""

@@ -12,7 +12,7 @@ from typing import BinaryIO, cast
 import pytest
 
 import ev3proto
-from ev3proto.reading import Code, Severity, SourceKind, assembled
+from ev3proto.reading import ProblemCode, Severity, SourceKind, assembled
 
 CAPTURES = Path(__file__).parents[2] / "captures"
 ASK, ANSWER = bytes.fromhex("08002a00000400810160"), bytes.fromhex("07002a0002a470fd40")
@@ -148,32 +148,32 @@ def test_problems_have_a_place_and_a_code(tmp_path: Path) -> None:
     log = tmp_path / "robot.log"
     log.write_text("sent 08 00 2a 00 00 04 00 81 01 6G\n")
     wrong = next(item for item in ev3proto.read(log) if isinstance(item, ev3proto.Problem))
-    assert (wrong.code, wrong.severity, wrong.place.line, wrong.place.column) == (Code.TEXT, "error", 1, 33)
+    assert (wrong.code, wrong.severity, wrong.place.line, wrong.place.column) == (ProblemCode.TEXT, "error", 1, 33)
     assert str(wrong) == f"{log}, line 1, column 33: {wrong.message}"
     wrong = problem("zz")
-    assert (wrong.code, wrong.place.name, wrong.place.column) == (Code.TEXT, "'zz'", 1)
+    assert (wrong.code, wrong.place.name, wrong.place.column) == (ProblemCode.TEXT, "'zz'", 1)
     assert str(wrong) == "'zz' is neither a file nor a frame: 'zz' is not hex"
 
 
 @pytest.mark.parametrize(
     ("source", "code"),
     [
-        (b"", Code.EMPTY),
-        ("", Code.EMPTY),
-        ("nothing here\n", Code.EMPTY),
-        ([], Code.EMPTY),
-        (io.BytesIO(b"PK\x03\x04" + bytes(20)), Code.KIND),
-        (io.BytesIO(bytes.fromhex("0a0d0d0a ffffffff")), Code.DAMAGED),
+        (b"", ProblemCode.EMPTY),
+        ("", ProblemCode.EMPTY),
+        ("nothing here\n", ProblemCode.EMPTY),
+        ([], ProblemCode.EMPTY),
+        (io.BytesIO(b"PK\x03\x04" + bytes(20)), ProblemCode.KIND),
+        (io.BytesIO(bytes.fromhex("0a0d0d0a ffffffff")), ProblemCode.DAMAGED),
     ],
 )
-def test_a_source_without_anything_is_one_problem(source: ev3proto.reading.Readable, code: Code) -> None:
+def test_a_source_without_anything_is_one_problem(source: ev3proto.reading.Readable, code: ProblemCode) -> None:
     assert problem(source).code == code
 
 
 def test_a_filter_that_nothing_matches() -> None:
     (found,) = ev3proto.read(CAPTURES / "usb-plugged.pcap", filter="op == SOUND.PLAY")
     assert isinstance(found, ev3proto.Problem)
-    assert found.code is Code.NO_MATCH
+    assert found.code is ProblemCode.NO_MATCH
     voltages = list(ev3proto.read(CAPTURES / "usb-plugged.pcap", filter="op == UI_READ.GET_VBATT"))
     assert len(voltages) == 4
 

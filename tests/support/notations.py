@@ -207,6 +207,20 @@ FORMS: dict[str, Callable[[bytes], str]] = {
     "DATA rows": lambda data: _dump(data, 8, "100 DATA ", lambda row: _each(row, "{}", ",")),
     "Add": lambda data: _each(data, "    data.Add(0x{:02X});", "\n"),
     "index and number": lambda data: _each(data, "buf[{at}] = 0x{0:02x} ({0})", "\n"),
+    "digit in front of h": lambda data: "frame db " + _each(data, "0{:02X}h", ","),
+    "unhexlify": lambda data: f"binascii.unhexlify(b'{data.hex()}')",
+    "SQL": lambda data: f"INSERT INTO log VALUES (12, X'{data.hex().upper()}');",
+    "PostgreSQL": lambda data: f" 12 | \\x{data.hex()}",
+    "MySQL": lambda data: f"| 12 | 0x{data.hex().upper()} |",
+    "portmon": lambda data: f"12\tapp.exe\tIRP_MJ_WRITE\tSerial0\tSUCCESS\tLength {len(data)}: {data.hex(' ')}",
+    "column of the size": lambda data: f"2024-01-31T12:30:45Z;tx;{data.hex(' ')};{len(data)}",
+    "number of a port": lambda data: "echo -ne '" + _each(data, "\\x{:02x}") + "' | nc 192.168.1.5 5555",
+    "slashes": lambda data: data.hex("/"),
+    "tcpdump": lambda data: _dump(data, 16, "\t0x{:04x}:  ", lambda row: f"{_grouped(row, 2):<39}  {_text(row)}"),
+    "Format-Hex": lambda data: _dump(data, 16, "{:016X} ", lambda row: f"{row.hex(' ').upper():<47} {_text(row)}"),
+    "jpnevulator": lambda data: (
+        "2024-01-31 12:30:45.123456:\n" + _dump(data, 16, "", lambda row: f"{row.hex(' '):<47} {_text(row)}")
+    ),
     "socat": lambda data: (
         "> 2024/01/31 12:00:00.123456  length=17 from=0 to=16\n"
         + _dump(data, 16, " ", lambda row: f"{row.hex(' '):<48} {_text(row)}")

@@ -7,7 +7,7 @@ from itertools import product
 
 from support.cases import each
 from support.notations import FORMS
-from support.typical import COMMANDS, SYSTEM, frame, with_length
+from support.typical import COMMANDS, REPLIES, SYSTEM, frame, with_length
 
 import ev3proto
 from ev3proto.text.paste import Pasted, read_text
@@ -51,12 +51,44 @@ def test_a_right_frame_with_more_bytes_is_never_accepted(name: str, frame: bytes
     assert any(one.problem is not None or ev3proto.check(one.data).findings for one in found), found
 
 
+@each("form, frame", product(("{}", "{:s} ", "sent {}", "12:30:45 {}", "0x{}"), frames_of("behind")))
+def test_hex_behind_a_frame_belongs_to_it(form: str, frame: bytes) -> None:
+    for more in ("01", "b122", "0x01", "01 02", "b12200"):
+        (piece,) = pieces(f"{form.format(frame.hex())} {more}")
+        assert piece.data == frame + bytes.fromhex(more.removeprefix("0x")), more
+        assert "E103" in {finding.code for finding in ev3proto.check(piece.data).findings}
+
+
+def test_what_a_line_says_of_a_frame_is_not_a_part_of_it() -> None:
+    (frame,) = frames_of("said", count=1)
+    for said in ("16 bytes", "(16)", "= 16", "| 16", "250 ms", "12:30:45", "# 16", "; 16"):
+        assert [piece.data for piece in pieces(f"{frame.hex()} {said}")] == [frame], said
+
+
 @each("name, frame", [(name, one) for name in FORMS if name not in AMBIGUOUS for one in frames_of("length", name)])
 def test_a_length_that_counts_itself_is_named(name: str, frame: bytes) -> None:
     wrong = with_length(frame, len(frame))
     (piece,) = pieces(FORMS[name](wrong))
     assert (without_padding(piece.data), piece.problem) == (wrong, None)
     assert "E102" in {finding.code for finding in ev3proto.check(piece.data).findings}
+
+
+RIGHT_REPLIES = [
+    (name, frame(one, 0x9F9F))
+    for name, one in product(FORMS, REPLIES.values())
+    if name != "octal"  # as decimal numbers they are a reply, too: any bytes are one
+]
+
+
+@each("name, frame", RIGHT_REPLIES)
+def test_a_right_reply_gives_its_bytes(name: str, frame: bytes) -> None:
+    assert [(without_padding(one.data), one.problem) for one in pieces(FORMS[name](frame))] == [(frame, None)]
+
+
+@each("name, frame", RIGHT_REPLIES)
+def test_a_right_reply_with_more_bytes_is_never_accepted(name: str, frame: bytes) -> None:
+    for piece in pieces(FORMS[name](frame + b"\x07\xb1")):
+        assert piece.problem is not None or ev3proto.check(piece.data).findings, piece
 
 
 @each("name, frames", [(name, frames_of("between", name, count=3)) for name in FORMS if name not in WITHOUT_ENDS])

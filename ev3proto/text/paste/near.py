@@ -109,7 +109,9 @@ def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
     for values in sequences:
         for base in values.bases:
             for part in values.parts(base):
-                for start, end in _extents(values, part):
+                # A length that counts itself tells where the frame ends.
+                extents = sorted(_extents(values, part), key=lambda one: not _counts_itself(part.data, *one))
+                for start, end in extents:
                     data = part.data[start:end]
                     is_listed = values.is_guess and not values.breaks
                     if _is_digest(part, data):
@@ -118,6 +120,10 @@ def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
                     is_decimal = base in ("bits", "octal", "words") or (base == "decimal" and any(values.widths))
                     if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal) and not _is_strange(data):
                         yield _with_stop(Near(data, values, part, start, end), base, rows)
+
+
+def _counts_itself(data: bytes, start: int, end: int) -> bool:
+    return frame_size(data, start) == end - start + LENGTH_FIELD
 
 
 def _extents(values: Values, part: Part) -> Iterator[tuple[int, int]]:
@@ -168,12 +174,13 @@ def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> boo
     first, last = values.span(part, start, end)
     before, after = row.around(first)[0], row.around(last)[1]
     starts = [token.start for token in row.tokens[: 1 + row.is_offset]]
-    is_all = first.start in starts and last.end == max(token.end for token in row.tokens if token.kind != "cut")
-    if first == last or (
-        is_all and (first.start != starts[0] or not before.strip(AROUND + "x0b")) and not after.strip(AROUND)
-    ):
+    ends = (token.end for token in row.tokens if token.kind != "cut")
+    is_last = last.end == max(ends, default=last.end) and not after.strip(AROUND)
+    is_first = first.start in starts and (first.start != starts[0] or not before.strip(AROUND + "x0b"))
+    if first == last or (is_last and (is_first or before.rstrip().endswith(":"))):
         return True
-    if after.lstrip(" ,;|:")[:1] in tuple("])}>\"'`") and any(sign in before for sign in "[({<\"'`"):
+    is_closed = last.kind == "string" or after.lstrip(" ,;|:")[:1] in tuple("])}>\"'`")
+    if is_closed and any(sign in before for sign in "[({<\"'`"):
         return True
     return head_of(row.line[max(0, first.start - _MOST_BEFORE) : first.start]).direction is not None
 

@@ -37,7 +37,7 @@ _GATE = re.compile(
 )
 """What a line with a frame, or with its start, has."""
 
-_TIME_FIRST = re.compile(r"(?:\W?(?:[\d/-]+[T ])?\d\d:\d\d:\d\d\S*\s+(?:\d{3,5}\s+\d{3,5}\s)?)?")
+_TIME_FIRST = re.compile(r"(?:\W?(?:[\d/-]+[T ])?\d\d:\d\d:\d\d(?!:)\S*\s+(?:\d{3,5}\s+\d{3,5}\s)?)?")
 """The date and the time at the start of a line, and the numbers of a process and a thread after them."""
 _SHORT = 40
 """Characters of a line that may have just one of the bytes of a frame."""
@@ -184,7 +184,8 @@ class Reader:
                 return
             yield from self._close()
         is_again = _AGAIN.match(line) is not None and (self._has_frame or line.lstrip()[:1] == "+")
-        if is_again or (len(line) > _SHORT and _GATE.search(line, _end_of_time(line)) is None):
+        is_long = len(line) > _SHORT and self._ended is None  # bytes that are too many may be any
+        if is_again or (is_long and _GATE.search(line, _end_of_time(line)) is None):
             self._has_frame = False
             self._before.append(line)
             return
@@ -290,7 +291,7 @@ class Reader:
         position = 0
         for part in reading.parts:
             end = 0
-            for start, end in _extents(reading, part, self._check_sum()):
+            for start, end in _extents(reading, part, self._check_sum(), lines):
                 yield self._piece(reading.values, part, start, end, lines, above, position)
                 position = reading.values.span(part, start, end)[1].end if len(lines) == 1 else 0
             if rest := _rest(reading.values, part, end):
@@ -356,7 +357,7 @@ def _is_long(block: Block) -> bool:
     )
 
 
-def _extents(reading: Reading, part: Part, check_sum: bytes) -> Iterator[tuple[int, int]]:
+def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, str]) -> Iterator[tuple[int, int]]:
     """Yields where the bytes of frames begin and end, and of what was meant as one between them.
 
     What follows a frame up to an edge or the next frame belongs to it: it is left over from a report, or too much.
@@ -372,7 +373,12 @@ def _extents(reading: Reading, part: Part, check_sum: bytes) -> Iterator[tuple[i
         follows = part.frames[number + 1].start if number + 1 < len(part.frames) else len(data)
         at = frame.end
         if frame.is_natural and not is_wrong_frame(data[at:follows], is_alone=number + 1 < len(part.frames)):
-            at = min([*breaks[(place := bisect_left(breaks, frame.end)) : place + 1], follows])
+            last = reading.values.tokens[part.last - 1]
+            is_rest = reading.values.is_rest(part, at) and not lines[last.line][last.end :].strip(AROUND)
+            if not is_rest or follows < len(data):
+                at = min([*breaks[(place := bisect_left(breaks, at)) : place + 1], follows])
+            else:
+                at = follows
             is_padding = reading.base == "words" and not any(data[frame.end : at])
             is_sum = data[frame.end : at] == check_sum or is_carried(data, frame.start, frame.end)
             at = frame.end if is_padding or is_sum else at
@@ -408,7 +414,8 @@ def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     if row.number != ended.number + 1 or len(row.tokens) <= place or row.front(place) != ended.front(place):
         return None
     tokens, others = row.tokens[place:], ended.tokens[place:]
-    if not {len(token.text) for token in tokens} <= {len(token.text) for token in others}:
+    widths, usual = ({len(token.text) for token in some} for some in (tokens, others))
+    if not (widths <= usual or (1 in usual and max(widths) <= max(usual))):
         return None
     is_dump = row.is_bare or row.front(place).endswith((":", ">"))
     if len(tokens) > len(others) or row.after.strip(AROUND) or not is_dump:

@@ -23,6 +23,9 @@ from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
 
 _CALL = re.compile(r"[\w.]+\s?\(|\)")
 _NO_MATTER = str.maketrans("", "", ":|+")
+_SAYS = re.compile(r"(?<!\s):\s")
+"""What is in front of a colon and a blank tells about what is behind them: `Length 8: 06 00`."""
+_LITERAL = re.compile(r"(?:0[xX]|[xX]'|\\x)[0-9a-fA-F]{10}")
 _QUOTES = re.compile(r"[\"'`,]")
 _OPENING = re.compile(r"^[^+;]*[\[{(<]\W*$")
 _DECIMAL_ESCAPE = re.compile(r"\\\d{0,2}[89]")
@@ -34,8 +37,13 @@ _WIDE = 7
 @lru_cache(1024)
 def shape(gap: str) -> str:
     """Returns what matters of a gap: not its few blanks, nor a call, nor which of its two signs the lesson uses."""
-    plain = "".join(_CALL.sub("", gap).split()).replace("0x|", "").translate(_NO_MATTER)
+    plain = "".join(_CALL.sub("", _SAYS.sub("=", gap)).split()).replace("0x|", "").translate(_NO_MATTER)
     return f"{plain} " if " " * _WIDE in gap else plain
+
+
+def _length(token: Token) -> int:
+    """Returns the digits of a value; 0 for what says itself what it is, but for a literal of many bytes."""
+    return len(token.text) if token.kind == "digits" or _LITERAL.match(token.text) else 0
 
 
 class Part(NamedTuple):
@@ -73,6 +81,7 @@ class Values:
         is_guess: Some values of the lines are left out, so that only what is surely a frame counts.
         widths: The digits of each value; 0 for those that say themselves what they are.
         has_unknown: Some of their bytes are not given.
+        is_mixed: Some are strings, and some bare digits, which hardly belong to them.
     """
 
     def __init__(
@@ -87,6 +96,7 @@ class Values:
         self.widths = [len(token.text) if token.kind == "digits" else 0 for token in tokens]
         kinds = {token.kind for token in tokens}
         self.has_unknown = "unknown" in kinds
+        self.is_mixed = "string" in kinds and any(self.widths)
         self.bases = _bases(tokens, kinds) if bases is None else bases
 
     @cached_property
@@ -97,7 +107,7 @@ class Values:
         usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
         if count == 1 and (len(shapes) > 2 or any(strings) or len(usual) > 1):
             usual = ""
-        is_uniform = len({*self.widths}) == 1 and self.widths[0] < 2 * LEAST and not any(strings)
+        is_uniform = len({*self.widths}) == 1 and not any(strings) and max(map(_length, self.tokens)) < 2 * LEAST
         return [
             place
             for place in range(1, len(shapes))
@@ -109,7 +119,7 @@ class Values:
         first, second = self.tokens[place - 1 : place + 1]
         if (first.kind == "string") != (second.kind == "string"):
             return True
-        last, width = self.widths[place - 1 : place + 1]
+        last, width = _length(first), _length(second)
         is_offset = place == 1 and last > max(3, width) and width > 0
         is_literal = min(last, width) >= 2 * LEAST and _QUOTES.search(second.gap) is not None
         return is_offset or is_literal or min(last, width) < LEAST <= max(last, width) // 2
@@ -150,6 +160,12 @@ class Values:
             [part.offsets[place - part.first] for place in within(places, part)] for places in (self.breaks, self.opens)
         )
         return Edges(breaks, part.offsets, opens, self.is_torn(part))
+
+    def is_rest(self, part: Part, start: int) -> bool:
+        """Returns whether the values from some byte on are the last ones, with nothing but blanks in front of each."""
+        rest = self.tokens[part.first + bisect_left(part.offsets, start) : part.last]
+        is_bare = all(token.kind in ("digits", "marked") and not token.gap.strip(" \t,") for token in rest)
+        return is_bare and part.last == len(self.tokens) and all(len(token.text) % 2 == 0 for token in rest)
 
     def row_offsets(self, part: Part) -> set[int]:
         """Returns the offsets of the values that begin a line."""
@@ -266,7 +282,7 @@ def _is_likely(frame: bytes, values: Values, base: str, *, is_all: bool) -> bool
 def _read(values: Values, base: str) -> Reading:
     """Returns the frames in a sequence, in one base."""
     is_decimal = base == "decimal" and any(values.widths)
-    is_trusted = 1 not in values.widths and (not is_decimal or {*values.widths} == {3})
+    is_trusted = 1 not in values.widths and not values.is_mixed and (not is_decimal or {*values.widths} == {3})
     parts = []
     for part in values.parts(base):
         is_given = is_trusted and not any(values.is_torn(part))

@@ -97,7 +97,9 @@ FORMS = (
         rf"(?:{_quoted(chr(34), chr(39))}|{_quoted(chr(39), chr(34))}|{_quoted('`', chr(39))})",
     ),
     Form("open", r"b'\x0f\0", rf"(?<![\w\\])b?(?:\"(?={_has_bytes(chr(34))})[^\"]*|'(?={_has_bytes(chr(39))})[^']*)$"),
-    Form("string", "b'it'", r"(?<!\w)b(?:'[^'\\]*'|\"[^\"\\]*\")"),
+    Form(
+        "string", "b'it'", rf"(?<!\w)b(?![\"'](?:{_H}{{2}}){{5,}}[\"'])(?:'[^'\\]*'|\"[^\"\\]*\")"
+    ),  # hex digits, as in unhexlify(b'0f00'), are read as such
     Form("string", f'{TEXT}abc"', f'{TEXT}[^"]*"'),
     Form("marked", r"\x0f0000008000", rf"\\x{_H}{{10,}}(?![\w\\])"),
     Form("string", r"\x0f\0", rf"(?<!\w)(?:{_ESCAPE}){{2}}(?>(?:{_ESCAPE}|[!\#-&(-\[\]-~](?=\S))*)"),
@@ -123,7 +125,7 @@ FORMS = (
     Form(
         "other",
         "2024-01-31 12:30:45",
-        rf"(?<![\w.:|-]){_DATE}(?:[T\ ]\s?{CLOCK}(?![\w:|])|(?<=[\d/.-]{{8}})(?![\w:|./-]))",
+        rf"(?<![\w.:|/-]){_DATE}(?:[T\ ]\s?{CLOCK}(?![\w:|])|(?<=[\d/.-]{{8}})(?![\w:|./-]))",
     ),
     Form("other", "12:30:45.123", rf"(?<![\w.:|-]){CLOCK}(?=[\])>:;,-]?(?:\s|$))"),
     # The second byte of a frame is 0 to 3.
@@ -285,7 +287,10 @@ UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 
 _ONLY_DIGITS = re.compile(rf"(?!0[bB][01]{{8}}$){_H}+")
 _UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
-_MARKED_HEX = re.compile(rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)[^\\]*|({_H}+)[hH]")
+_MARKED_HEX = re.compile(
+    rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)[^\\]*|(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]"
+)
+"""Assemblers want a digit first: `0A3h`."""
 _MARKED_BITS = re.compile(r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})")
 _MARKED_DECIMAL = re.compile(rf"(-?\d+){_SUFFIX}?")
 _CALL = re.compile(r"(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")

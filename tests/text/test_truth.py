@@ -51,7 +51,7 @@ def test_a_right_frame_with_more_bytes_is_never_accepted(name: str, frame: bytes
     assert any(one.problem is not None or ev3proto.check(one.data).findings for one in found), found
 
 
-@each("form, frame", product(("{}", "{:s} ", "sent {}", "12:30:45 {}", "0x{}"), frames_of("behind")))
+@each("form, frame", product(("{}", "sent {}", "12:30:45 {}", "0x{}"), frames_of("behind")))
 def test_hex_behind_a_frame_belongs_to_it(form: str, frame: bytes) -> None:
     for more in ("01", "b122", "0x01", "01 02", "b12200"):
         (piece,) = pieces(f"{form.format(frame.hex())} {more}")

@@ -373,9 +373,7 @@ def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, st
         follows = part.frames[number + 1].start if number + 1 < len(part.frames) else len(data)
         at = frame.end
         if frame.is_natural and not is_wrong_frame(data[at:follows], is_alone=number + 1 < len(part.frames)):
-            last = reading.values.tokens[part.last - 1]
-            is_rest = reading.values.is_rest(part, at) and not lines[last.line][last.end :].strip(AROUND)
-            if not is_rest or follows < len(data):
+            if follows < len(data) or not _is_rest(reading, part, at, lines):
                 at = min([*breaks[(place := bisect_left(breaks, at)) : place + 1], follows])
             else:
                 at = follows
@@ -386,6 +384,12 @@ def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, st
         yield frame.start, at
     if is_wrong_frame(data[at:], is_alone=False):
         yield at, len(data)
+
+
+def _is_rest(reading: Reading, part: Part, start: int, lines: dict[int, str]) -> bool:
+    """Returns whether the values from some byte on are all that follows in the last line."""
+    last = reading.values.tokens[part.last - 1]
+    return reading.values.is_rest(part, start) and not lines[last.line][last.end :].strip(AROUND)
 
 
 def _rest(values: Values, part: Part, end: int) -> Pasted | None:

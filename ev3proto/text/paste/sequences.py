@@ -28,6 +28,8 @@ _SAYS = re.compile(r"(?<!\s):\s")
 _LITERAL = re.compile(r"(?:0[xX]|[xX]'|\\x)[0-9a-fA-F]{10}")
 _QUOTES = re.compile(r"[\"'`,]")
 _OPENING = re.compile(r"^[^+;]*[\[{(<]\W*$")
+_BESIDE = re.compile(r"[ \t]|,[ \t]?")
+"""What is between bytes in one line; more blanks are in front of a column of text."""
 _DECIMAL_ESCAPE = re.compile(r"\\\d{0,2}[89]")
 _FEW = 2
 _WIDE = 7
@@ -162,10 +164,13 @@ class Values:
         return Edges(breaks, part.offsets, opens, self.is_torn(part))
 
     def is_rest(self, part: Part, start: int) -> bool:
-        """Returns whether the values from some byte on are the last ones, with nothing but blanks in front of each."""
+        """Returns whether the values from some byte on are the last, with a blank or a comma in front of each."""
         rest = self.tokens[part.first + bisect_left(part.offsets, start) : part.last]
-        is_bare = all(token.kind in ("digits", "marked") and not token.gap.strip(" \t,") for token in rest)
-        return is_bare and part.last == len(self.tokens) and all(len(token.text) % 2 == 0 for token in rest)
+        is_bare = all(
+            token.kind in ("digits", "marked") and _BESIDE.fullmatch(token.gap) and len(token.text) % 2 == 0
+            for token in rest
+        )
+        return is_bare and part.last == len(self.tokens)
 
     def row_offsets(self, part: Part) -> set[int]:
         """Returns the offsets of the values that begin a line."""

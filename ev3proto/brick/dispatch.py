@@ -11,6 +11,7 @@ import ev3proto.brick.operations  # noqa: F401 - registers the handlers
 from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, DispatchEntry, Family, Function, Handler
 from ev3proto.brick.locations import WRITERS
 from ev3proto.brick.machine import Machine
+from ev3proto.brick.operation_exits import NoOperation
 from ev3proto.brick.operations.without_effect import fail
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
@@ -21,29 +22,36 @@ Reader = Callable[[Machine], Any]
 @cache
 def dispatch_table(dialect: str) -> Dispatch:
     """Returns the table of a dialect. ValueError for an unknown dialect, or a handler that does not fit."""
-    plain: dict[int, DispatchEntry] = {}
-    families: dict[int, dict[int, DispatchEntry]] = {}
-    unknown: dict[int, Function | None] = {}
-    for name, declaration in operations(dialect).items():
-        number = declaration.opcode.number
-        if declaration.opcode.is_family:
-            families.setdefault(number, {})
-            unknown[number] = UNKNOWN_COMMANDS.get(declaration.opcode.name)
-        handler = HANDLERS.get(name)
-        if handler is None:
-            entry = DispatchEntry(fail, None)
-        else:
-            function = _in_steps(handler.function) if isgeneratorfunction(handler.function) else handler.function
-            function = _computing(declaration, function) if handler.computes else function
-            is_quick = all(parameter.type.size for parameter in declaration.parameters) and declaration.tail is None
-            entry = DispatchEntry(function, None if handler.raw else _readers(declaration, handler), is_quick)
+    found: list[DispatchEntry | Family] = [DispatchEntry(_no_operation, None)] * 256
+    for declaration in operations(dialect).values():
+        opcode, entry = declaration.opcode, _entry(declaration)
         if declaration.command is None:
-            plain[number] = entry
-        else:
-            families[number][declaration.command.number] = entry
-    return tuple(
-        Family(families[number], unknown[number]) if number in families else plain.get(number) for number in range(256)
-    )
+            found[opcode.number] = entry
+            continue
+        family = found[opcode.number]
+        if not isinstance(family, Family):
+            unknown = UNKNOWN_COMMANDS.get(opcode.name, _nothing)
+            family = found[opcode.number] = Family({}, DispatchEntry(unknown, None, is_quick=True))
+        family.entries[declaration.command.number] = entry
+    return tuple(found)
+
+
+def _no_operation(_: Machine) -> None:
+    raise NoOperation
+
+
+def _nothing(_: Machine) -> None:
+    pass
+
+
+def _entry(declaration: Declaration) -> DispatchEntry:
+    handler = HANDLERS.get(declaration.name)
+    if handler is None:
+        return DispatchEntry(fail, None)
+    function = _in_steps(handler.function) if isgeneratorfunction(handler.function) else handler.function
+    function = _computing(declaration, function) if handler.computes else function
+    is_quick = all(parameter.type.size for parameter in declaration.parameters) and declaration.tail is None
+    return DispatchEntry(function, None if handler.raw else _readers(declaration, handler), is_quick)
 
 
 def _computing(declaration: Declaration, function: Function) -> Function:

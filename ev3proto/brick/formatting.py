@@ -8,6 +8,10 @@ import re
 MOST_CHARACTERS = 4096
 """Maximum width and precision of a format, more than fits in any text of the brick."""
 
+_UNSIGNED = frozenset("uxXo")
+_WHOLE = _UNSIGNED | frozenset("dic")
+_FRACTIONS = frozenset("fFeEgG")
+
 _CONVERSION = re.compile(
     rb"%(?P<flags>[-+ 0#']*)(?P<width>\d*)(?:\.(?P<precision>-?\d*))?(?P<size>hh|h|ll|l|L|q|j|z|t)?(?P<kind>[a-zA-Z%])?"
 )
@@ -58,31 +62,36 @@ def _converted(found: re.Match[bytes], value: int | float) -> bytes:
         return b"%"
     flags = found["flags"].decode("ascii").replace("'", "")
     width = min(int(found["width"] or 0), MOST_CHARACTERS)
+    precision = found["precision"]
     # A negative precision counts as omitted.
-    precision = (found["precision"] or b"").decode("ascii")
-    if found["precision"] is not None and not precision.startswith("-"):
-        precision = f".{min(int(precision or 0), MOST_CHARACTERS)}"
-    else:
-        precision = ""
-    number: int | float
-    if kind in tuple("diuxXoc"):
+    digits = None if precision is None or precision.startswith(b"-") else min(int(precision or 0), MOST_CHARACTERS)
+    if kind in _WHOLE:
         number = _narrowed(int(value) if math.isfinite(value) else 0, found["size"], kind)
-        if precision:
-            flags = flags.replace("0", "")
-        if kind in tuple("uxXo"):
-            number &= 0xFFFFFFFF
-            flags = re.sub(r"[+ ]" if number else r"[+ #]", "", flags)
-        if kind == "o" and "#" in flags:
-            flags, precision = flags.replace("#", ""), f".{max(int(precision[1:] or 0), len(f'{number:o}') + 1)}"
-        if kind == "c":
-            flags, precision, number = flags.replace("0", ""), "", number & 0xFF
-    elif kind in tuple("fFeEgG"):
-        number = float(value)
-        if not math.isfinite(number):
-            return _not_finite(flags, width, kind, number)
-    else:
+        return _whole(kind, flags, width, digits, number)
+    if kind not in _FRACTIONS:
         # Other conversions read memory that is not there (%s, %n), or are unknown: they are shown as written.
         return found[0]
+    if not math.isfinite(value):
+        return _not_finite(flags, width, kind, float(value))
+    return _written(kind, flags, width, digits, float(value))
+
+
+def _whole(kind: str, flags: str, width: int, digits: int | None, number: int) -> bytes:
+    """Writes an integer by C's rules, where Python's differ."""
+    if digits is not None or kind == "c":
+        flags = flags.replace("0", "")
+    if kind == "c":
+        return _written(kind, flags, width, None, number & 0xFF)
+    if kind in _UNSIGNED:
+        number &= 0xFFFFFFFF
+        flags = re.sub(r"[+ ]" if number else r"[+ #]", "", flags)
+    if kind == "o" and "#" in flags:
+        flags, digits = flags.replace("#", ""), max(digits or 0, len(f"{number:o}") + 1)
+    return _written(kind, flags, width, digits, number)
+
+
+def _written(kind: str, flags: str, width: int, digits: int | None, number: float) -> bytes:
+    precision = "" if digits is None else f".{digits}"
     return f"%{flags}{width or ''}{precision}{kind}".encode() % number
 
 

@@ -111,9 +111,9 @@ class DispatchEntry(NamedTuple):
 class Family(NamedTuple):
     """How the machine executes an opcode with CMD."""
 
-    entries: Mapping[int, DispatchEntry]  # by CMD
-    unknown: Function | None  # the handler of any other CMD; None: nothing
+    entries: dict[int, DispatchEntry]  # by CMD
+    unknown: DispatchEntry  # of any other CMD
 
 
-Dispatch = tuple[DispatchEntry | Family | None, ...]
-"""By opcode; None for unknown ones. `ev3proto.brick.dispatch` makes it."""
+Dispatch = tuple[DispatchEntry | Family, ...]
+"""By opcode. `ev3proto.brick.dispatch` makes it."""

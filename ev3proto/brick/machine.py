@@ -112,7 +112,8 @@ class Machine:
         self.local_memory = bytearray()
         self.images = Images()  # program images in memory
         self._scratch = bytearray(_SCRATCH)
-        self._deadline = math.inf
+        self._deadline = math.inf  # of the turn
+        self._left = 0  # operations of the turn that are not executed
         self._dispatch = dispatch
 
     # The clock
@@ -146,52 +147,17 @@ class Machine:
         self.program, self.object = program, entry
         self.code, self.ip = program.code, entry.ip
         self.global_memory, self.local_memory = program.global_memory, entry.local_memory
-        left = most
-        self._deadline = deadline
-        is_timed = deadline < math.inf
-        look = most - QUICK_OPERATIONS if is_timed else 0
-        begin = self.ip
-        code, dispatch = self.code, self._dispatch
+        self._left, self._deadline = most, deadline
         is_waiting = False
         try:
-            if entry.work is not None:
-                steps, entry.work = entry.work, None
-                self.work(steps)
-            while left > 0:
-                if left == look:
-                    look = left - QUICK_OPERATIONS
-                    if thread_time() > deadline:
-                        program.unfinished = left
-                        break
-                left -= 1
-                begin = self.ip
-                found = dispatch[code[begin]]
-                self.ip = begin + 1
-                if found is None:
-                    raise NoOperation
-                if isinstance(found, Family):
-                    entries, unknown = found
-                    command = entries.get(self.int8())
-                    if command is None:
-                        if unknown is not None:
-                            unknown(self)
-                        continue
-                    found = command
-                function, readers, is_quick = found
-                if is_timed and not is_quick:
-                    look = left
-                if readers is None:
-                    function(self)
-                else:
-                    function(self, *[read(self) for read in readers])
+            self._execute(entry)
             entry.ip = self.ip
         except Sleep:
             entry.ip = self.ip
         except Pause:
             entry.ip = self.ip
-            program.unfinished = max(left, 1)
+            program.unfinished = max(self._left, 1)
         except Busy as busy:
-            entry.ip = begin
             program.waits_for = "".join(busy.args)
             is_waiting = True
         except Leave:
@@ -207,9 +173,43 @@ class Machine:
             # A defect, which would occur again at each turn.
             self.end_program(program, FAIL)
             raise
-        executed = most - left
+        executed = most - self._left
         program.executed += executed
         return executed, is_waiting
+
+    def _execute(self, entry: ProgramObject) -> None:
+        """Executes the operations that are left of a turn; raises Pause at its deadline."""
+        left, deadline = self._left, self._deadline
+        look = left - QUICK_OPERATIONS  # where the clock is looked at next
+        code, dispatch = self.code, self._dispatch
+        begin = self.ip
+        try:
+            if entry.work is not None:
+                steps, entry.work = entry.work, None
+                self.work(steps)
+            while left > 0:
+                if left == look:
+                    look = left - QUICK_OPERATIONS
+                    if thread_time() > deadline:
+                        raise Pause
+                left -= 1
+                begin = self.ip
+                found = dispatch[code[begin]]
+                self.ip = begin + 1
+                if isinstance(found, Family):
+                    found = found.entries.get(self.int8(), found.unknown)
+                function, readers, is_quick = found
+                if not is_quick:
+                    look = left
+                if readers is None:
+                    function(self)
+                else:
+                    function(self, *[read(self) for read in readers])
+        except Busy:
+            entry.ip = begin
+            raise
+        finally:
+            self._left = left
 
     def work(self, steps: Steps[None]) -> None:
         """Does the steps of an operation; raises Pause where the time of the turn is over."""

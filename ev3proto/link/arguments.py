@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -104,6 +104,7 @@ class Rule(NamedTuple):
     is_for: Callable[[Parameter, Operation], bool]
     is_bounded: Check
     only_reads: Check
+    otherwise: str = ""  # what an argument is that does more than read
 
 
 # Kinds of parameters
@@ -263,7 +264,7 @@ RULES = (
     Rule(_has_type(Type.HANDLE), _is_no_label, _is_own_file),
     Rule(_is_path, _is_no_label, _is_own_path),
     Rule(_has_type(Type.STRING), _is_no_label, _never),
-    Rule(_is_device_type, _is_no_label, _is_present_type),
+    Rule(_is_device_type, _is_no_label, _is_present_type, "not the type of the device at that port"),
     Rule(_has_range, _is_no_label, _is_legal_constant),
     Rule(_is_anything, _is_no_label, _is_number),
 )
@@ -298,10 +299,26 @@ def _follows_rules(operation: Operation, code: References, known: Known, check: 
     cmd = operation.cmd
     if operation.declaration.is_newer or (cmd is not None and (cmd.form.handle or cmd.form.address)):
         return False
-    return not any(argument.form.address for argument in operation.arguments) and all(
-        check(_rule(argument.parameter, operation))(Use(argument, operation, code, known))
-        for argument in operation.arguments
-    )
+    is_direct = not any(argument.form.address for argument in operation.arguments)
+    return is_direct and next(_broken(operation, code, known, check), None) is None
+
+
+def _broken(
+    operation: Operation, code: References, known: Known, check: Callable[[Rule], Check]
+) -> Iterator[tuple[Argument, Rule]]:
+    """Yields the arguments that do not follow their rules."""
+    for argument in operation.arguments:
+        rule = _rule(argument.parameter, operation)
+        if not check(rule)(Use(argument, operation, code, known)):
+            yield argument, rule
+
+
+def changing_argument(operation: Operation, code: References, known: Known) -> str:
+    """Returns the argument for which an operation on the list does more than read, as words after its name."""
+    for argument, rule in _broken(operation, code, known, lambda rule: rule.only_reads):
+        shown = f"{argument.name} {argument.value}" if argument.kind == CONSTANT else f"this {argument.name}"
+        return f" with {shown}{rule.otherwise and f' ({rule.otherwise})'}"
+    return ""
 
 
 def _rule(parameter: Parameter, operation: Operation) -> Rule:

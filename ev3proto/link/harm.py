@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Container, Mapping
 from enum import StrEnum
+from typing import NamedTuple
 
-from ev3proto.link.arguments import GRANTED, References, is_bounded, only_reads
+from ev3proto.link.arguments import GRANTED, References, changing_argument, is_bounded, only_reads
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.link.transfers import NO_TRANSFERS, is_listing, is_of
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
@@ -73,8 +74,17 @@ _GROUPED = frozenset(effect for harm in Harm for effect in harm.effects)
 _MOST_REPLIED = MAX_FRAME - HEADER_SIZE
 """Bytes of global memory that fit into a reply."""
 
-_Found = tuple[list[tuple[str, tuple[Effect, ...]]], list[str]]
-"""The effects of operations and system commands, by name, and the names of those that may do anything."""
+
+class _Doing(NamedTuple):
+    """What an operation or a system command does."""
+
+    name: str
+    effects: tuple[Effect, ...]
+    detail: str = ""  # words after its name: the argument that is to blame
+
+
+_Found = tuple[list[_Doing], list[str]]
+"""What a message does, and the names of the operations that may do anything."""
 
 
 def harms_of(
@@ -92,18 +102,18 @@ def harms_of(
         known: What the brick has answered about its ports and files.
     """
     if isinstance(message, DirectCommand) and message.fault is None:
-        effects, unknown = _of_direct(message, known)
+        does, unknown = _of_direct(message, known)
     elif isinstance(message, SystemCommand) and message.fault is None:
-        effects, unknown = _of_system(message, handles)
+        does, unknown = _of_system(message, handles)
     else:
         operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
-        effects, unknown = [(one.full_name, one.declaration.effects) for one in operations], ["the frame"]
+        does, unknown = [_Doing(one.full_name, one.declaration.effects) for one in operations], ["the frame"]
     found: dict[Harm, str] = {}
     for harm in Harm:
-        names = (name for effect in harm.effects for name, has in effects if effect in has and name not in allowed)
-        name = next(names, None)
-        if name is not None and harm not in allowed:
-            found[harm] = name
+        named = (one for effect in harm.effects for one in does if effect in one.effects and one.name not in allowed)
+        first = next(named, None)
+        if first is not None and harm not in allowed:
+            found[harm] = first.name + first.detail
     if unknown and Harm.UNKNOWN not in allowed:
         found[Harm.UNKNOWN] = unknown[0]
     return found
@@ -122,29 +132,29 @@ def _of_system(command: SystemCommand, handles: Mapping[int, str]) -> _Found:
             is_fine = is_fine and is_own(path) and (is_listing(entry.name) or is_allowed(path))
     if not is_fine:
         effects = (*(one for one in effects if one is not Effect.READS), Effect.COMPUTES)
-    return [(entry.name, effects)], [entry.name] if len(path) >= WHOLE else []
+    return [_Doing(entry.name, effects)], [entry.name] if len(path) >= WHOLE else []
 
 
 def _of_direct(command: DirectCommand, known: Known) -> _Found:
     code = References(command)
     operations = code.operations
     is_whole = bool(operations) and operations[-1].offset + operations[-1].length <= MAX_FRAME
-    effects_of, unknown = [], [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
+    does, unknown = [], [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
     counts: Counter[str] = Counter()
     for operation in operations:
-        effects = operation.declaration.effects
+        effects, detail = operation.declaration.effects, ""
         if Effect.READS in effects:
             row = reading_of(operation.full_name)
             if row is not None and _is_one_of_few(row, counts) and only_reads(operation, row, code, known):
                 continue
-            effects = (Effect.COMPUTES,)
-        effects_of.append((operation.full_name, effects))
+            effects, detail = (Effect.COMPUTES,), changing_argument(operation, code, known)
+        does.append(_Doing(operation.full_name, effects, detail))
         if _GROUPED.isdisjoint(effects) or not is_bounded(operation, code, GRANTED):
             unknown.append(operation.full_name)
-    if operations and not effects_of and not command.wants_reply:
+    if operations and not does and not command.wants_reply:
         # Nothing would tell when it has ended, nor how long it keeps others waiting.
-        effects_of.append((f"{operations[0].full_name} without a reply", (Effect.COMPUTES,)))
-    return effects_of, unknown
+        does.append(_Doing(f"{operations[0].full_name} without a reply", (Effect.COMPUTES,)))
+    return does, unknown
 
 
 def _is_one_of_few(row: ReadOnly, counts: Counter[str]) -> bool:

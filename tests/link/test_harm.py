@@ -492,3 +492,24 @@ def test_what_passes_only_reads(frame: bytes) -> None:
         assert message.fault is None
         for one in getattr(message, "operations", ()):
             assert Effect.READS in one.declaration.effects
+
+
+@pytest.mark.parametrize(
+    ("changing", "words"),
+    [
+        (
+            operation("INPUT_DEVICE.READY_SI", 0, 0, 29, 3, [GV(0)]),
+            "INPUT_DEVICE.READY_SI with TYPE 29 (not the type of the device at that port)",
+        ),
+        (
+            operation("INPUT_READ", 0, 0, GV(1), 0, GV(0)),
+            "INPUT_READ with this TYPE (not the type of the device at that port)",
+        ),
+        (operation("OUTPUT_GET_COUNT", 0, 9, GV(0)), "OUTPUT_GET_COUNT with NOS 9"),
+        (operation("FILE.OPEN_READ", "/etc/passwd", LV(0), LV(4)), "FILE.OPEN_READ with this NAME"),
+        (operation("TIMER_WAIT", 5, LV(0)), "TIMER_WAIT"),
+    ],
+)
+def test_the_argument_that_does_more_than_read_is_named(changing: Operation, words: str) -> None:
+    touch = Known(types={(0, 0): 16})
+    assert harms_of(ev3proto.parse(command(changing)), known=touch)[Harm.COMPUTING] == words

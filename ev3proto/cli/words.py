@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, BinaryIO
 
 from ev3proto.cli.output import ProgressBar, flush
 from ev3proto.reading.given import Given, given_word, is_file
+from ev3proto.reading.incoming import IncomingFile
 from ev3proto.text.spans import visible
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ _NUMBER = re.compile(r"[\[{]?((0x)?[0-9a-f]{1,2}|[0-9]{3})[\]}]?[,;]?", re.IGNOR
 """One byte as numbers are written, also at an end of an array."""
 
 
-class _Awaited(io.FileIO):
+class _Awaited(IncomingFile):
     """Input that may come slowly: standard output is flushed, and the bar redrawn, before waiting for more."""
 
     def __init__(self, file: str | int, bar: ProgressBar) -> None:
@@ -44,6 +45,11 @@ class _Awaited(io.FileIO):
         if not count:
             self._bar.end()
         return count
+
+    def is_silent(self, count: int) -> bool:
+        """Returns whether nothing more comes for half a second."""
+        flush()
+        return super().is_silent(count)
 
     def close(self) -> None:
         """Closes the file, and ends the bar."""

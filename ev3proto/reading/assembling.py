@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
+from ev3proto.reading.incoming import LATIN_1
 from ev3proto.reading.items import Problem, ProblemCode, Source
-from ev3proto.reading.kinds import LATIN_1
 from ev3proto.text.assembly.assembling import assembled as messages_of
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import codecs
-import io
 import struct
 import zlib
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from enum import Enum
+from io import BufferedReader
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ev3proto.schema.header import HEADER_SIZE, frame_end
-from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.program import SIGN
-from ev3proto.text.paste import MAX_LINE, Pasted
+from ev3proto.text.paste import Pasted
 from ev3proto.text.splitting import frame_ends, split
 
 if TYPE_CHECKING:
@@ -37,13 +36,11 @@ class Contents(NamedTuple):
     """A file and what it is.
 
     kind    its kind
-    lines   of a text
     frames  of a file of frames; their numbers are in place of lines
     reason  why it cannot be read, for any other file
     """
 
     kind: Kind
-    lines: Iterable[str] = ()
     frames: Iterable[Pasted] = ()
     reason: str = ""
 
@@ -78,7 +75,7 @@ def recognized(file: CaptureFile, path: Path | None, dialect: str, readable: str
         return Contents(Kind.PROGRAM)
     reason = _unreadable(path, start)
     if reason is None and not _is_binary(start):
-        return Contents(Kind.TEXT, lines=_text_lines(file.contents))
+        return Contents(Kind.TEXT)
     with suppress(OSError, EOFError, zlib.error):
         frames = _raw_frames(file.contents, dialect)
         if frames is not None:
@@ -163,33 +160,6 @@ def _is_binary(start: bytes) -> bool:
 
 # Texts
 
-
-def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
-    """Returns the characters that bytes mean in ISO-8859-1, and where reading continues."""
-    assert isinstance(error, UnicodeDecodeError)
-    return error.object[error.start : error.end].decode(STRING_CODING), error.end
-
-
-LATIN_1 = "ev3proto-latin-1"
-"""The name of the error handler that reads bytes which are not UTF-8 as ISO-8859-1."""
-codecs.register_error(LATIN_1, _as_latin_1)
-
-
-def _text_lines(stream: io.BufferedReader[Any]) -> Iterator[str]:
-    """Yields the lines of a file, those that are too long only as far as it takes to see that.
-
-    Text is UTF-8, or UTF-16 if the file starts with that mark, as PowerShell writes it. Bytes that are not UTF-8 are
-    read as ISO-8859-1, which many sources of programs use.
-    """
-    start = stream.peek(2)[:2]
-    encoding = "utf-16" if start in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE) else "utf-8-sig"
-    text = io.TextIOWrapper(stream, encoding, LATIN_1 if encoding == "utf-8-sig" else "replace")
-    while line := text.readline(MAX_LINE + 1):
-        yield line
-        while len(line) > MAX_LINE and not line.endswith("\n"):
-            line = text.readline(MAX_LINE + 1)
-
-
 _MOST_LOOKED_AT = 500
 """Lines of comments before the first line that says what a text is."""
 
@@ -213,7 +183,7 @@ MOST_RAW = 1 << 26
 """Bytes of frames that are read from a file which has nothing else; a longer one is refused."""
 
 
-def _raw_frames(stream: io.BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
+def _raw_frames(stream: BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
     """Reads the bytes of frames that follow one another; None if the stream starts with something else."""
     start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
     if frame_end(start) is None:

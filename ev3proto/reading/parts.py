@@ -17,8 +17,9 @@ from ev3proto.capture.text_log import TextLog
 from ev3proto.checking.report import Severity
 from ev3proto.errors import counted
 from ev3proto.reading.given import Given
+from ev3proto.reading.incoming import IncomingFile, IncomingLines
 from ev3proto.reading.items import Event, Image, Item, Problem, ProblemCode, Source, SourceKind
-from ev3proto.reading.kinds import Contents, Kind, recognized
+from ev3proto.reading.kinds import Kind, recognized
 from ev3proto.reading.options import BUILTIN, MIB, Options, Sources
 from ev3proto.reading.texts import TextReader
 from ev3proto.tables import check_dialect
@@ -197,7 +198,7 @@ class Part:
         elif found.kind is Kind.PROGRAM:
             yield self._image(file)
         elif found.kind is Kind.TEXT:
-            yield from self._text(file, found)
+            yield from self._text(file, stream)
         elif found.kind is Kind.FRAMES:
             yield from chain.from_iterable(map(self._frame, found.frames))
         elif given.frame is not None:
@@ -213,12 +214,14 @@ class Part:
             return Image(file.contents.read(MAX_IMAGE + 1), self._place)
         return Problem(self._place, ProblemCode.KIND, "this is a program image (.rbf); `ev3proto decode` shows it")
 
-    def _text(self, file: CaptureFile, found: Contents) -> Iterator[Event]:
+    def _text(self, file: CaptureFile, stream: BinaryIO) -> Iterator[Event]:
         most = self._options.whole
         if most:
             yield Source(file.contents.read(most + 1), self._place, SourceKind.TEXT)
         else:
-            yield from self._texts.lines(found.lines)
+            raw = getattr(stream, "raw", None)
+            lines = IncomingLines(file.contents, *([raw.is_silent] if isinstance(raw, IncomingFile) else []))
+            yield from self._texts.lines(lines, lines.is_silent)
 
     def _captured(self, file: CaptureFile | None, stream: BinaryIO | None) -> Iterator[Event]:
         """Yields the events of a capture, and what cannot be read of it. Raises OSError."""

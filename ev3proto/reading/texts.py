@@ -65,8 +65,8 @@ class TextReader:
                 return
         yield from self.pasted(pasted or read_argument(text))
 
-    def lines(self, lines: Iterable[str]) -> Found:
-        """Yields what is in the lines of a text."""
+    def lines(self, lines: Iterable[str], is_silent: Callable[[], bool] = lambda: False) -> Found:
+        """Yields what is in the lines of a text; `is_silent` waits, and says whether no line comes."""
         noted = self._noted(iter(lines))
         if self._options.missing is None and self._options.sources is not Sources.NO:
             first = list(introduction(noted))
@@ -76,7 +76,7 @@ class TextReader:
                 yield from source(noted)
                 return
         missing = self._options.missing
-        for pasted in read_text(noted) if missing is None else read_bare(noted, missing):
+        for pasted in read_text(noted, is_silent) if missing is None else read_bare(noted, missing):
             yield from self.pasted(pasted)
 
     def pasted(self, pasted: Pasted, place: Place | None = None) -> Found:

@@ -16,7 +16,7 @@ and whatever is around them. The protocol decides which values are bytes, and in
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Literal
 
 from ev3proto.schema.frame import is_flawless
@@ -31,13 +31,18 @@ Missing = Literal["length", "header"]
 """What bytes may lack: the two bytes of the length field, or the whole header of a direct command."""
 
 
-def read_text(lines: Iterable[str]) -> Iterator[Pasted]:
+def read_text(lines: Iterable[str], is_silent: Callable[[], bool] = lambda: False) -> Iterator[Pasted]:
     """Yields the frames in lines of text, in their order, and what was meant as one.
 
     Memory is bounded: only an array or a dump over several lines is collected, up to 64 KiB of it. Lines of more than
     1 MiB are not read, but reported.
+
+    Args:
+        lines: The lines.
+        is_silent: Waits for the next line, and returns whether it does not come. It is called only when something may
+            be continued by it, which is then yielded as it is.
     """
-    yield from Reader().read(lines)
+    yield from Reader().read(lines, is_silent)
 
 
 def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:

@@ -123,7 +123,7 @@ def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
 
 
 def _counts_itself(data: bytes, start: int, end: int) -> bool:
-    return frame_size(data, start) == end - start + LENGTH_FIELD
+    return end - start >= LOOKS and frame_size(data, start) == end - start + LENGTH_FIELD
 
 
 def _extents(values: Values, part: Part) -> Iterator[tuple[int, int]]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import chain
 
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import frame_end
@@ -80,6 +81,11 @@ class Block:
     def is_dump(self) -> bool:
         """Whether an offset is in front of the rows."""
         return self.rows[0].is_offset
+
+    @property
+    def waits(self) -> bool:
+        """Whether something in it was not shown yet; a list or a comment that is open is not complete in any case."""
+        return self.shown < len(self.rows) and not self.in_comment and not self.rows[-1].is_open
 
     def take(self, line: str, number: int) -> bool:
         """Adds a line. Returns whether it belongs to the block."""
@@ -153,12 +159,12 @@ class Reader:
         self._has_frame = False
         self._ended: tuple[Reading, list[Row]] | None = None
 
-    def read(self, lines: Iterable[str]) -> Iterator[Pasted]:
-        """Yields all pieces in the lines, in their order."""
+    def read(self, lines: Iterable[str], is_silent: Callable[[], bool]) -> Iterator[Pasted]:
+        """Yields all pieces in the lines, in their order; what the next line may continue waits for it or silence."""
         has_any = False
         for number, line in enumerate(lines, 1):
             check_text(line)
-            for piece in self._take(line.rstrip("\r\n"), number):
+            for piece in chain(self._take(line.rstrip("\r\n"), number), self._waited(is_silent)):
                 yield piece
                 has_any = True
             if not has_any and self._strange is None and number <= _MOST_STRANGE and (said := strange_text(line)):
@@ -168,6 +174,11 @@ class Reader:
             has_any = True
         if not has_any and self._strange is not None:
             yield self._strange
+
+    def _waited(self, is_silent: Callable[[], bool]) -> Iterator[Pasted]:
+        """Yields what is in a block that the next line may continue, if that does not come."""
+        if self._block is not None and self._block.waits and is_silent():
+            yield from self._close()
 
     def _take(self, line: str, number: int) -> Iterator[Pasted]:
         if len(line) > MAX_LINE:

@@ -1180,16 +1180,18 @@ do
 
     -- Items and ranges of a tree are garbage after their packet. Collected soon, they are still in the processor's
     -- cache: tshark -V takes 2.5 times as long as without a dissector, not 3.1 times; two passes with a filter, as
-    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held by other scripts a collection takes long.
-    local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
+    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held, as by other scripts, a collection takes long.
+    -- Lua's own would wait until twice the memory is used.
+    local SOON, LATER, MUCH_KILOBYTES = 1.15, 1.5, 32 * 1024
     local limit = 0
 
-    function storage.free_unused()
+    function storage.free_unused(is_shown)
         local size = collectgarbage("count")
-        if size < limit or size > MOST_KILOBYTES then return end
+        if size < limit then return end
         -- Finalizers of other scripts may raise errors.
         pcall(collectgarbage)
-        limit = GROWTH * collectgarbage("count")
+        size = collectgarbage("count")
+        limit = size * (is_shown and size < MUCH_KILOBYTES and SOON or LATER)
     end
 end
 
@@ -2128,7 +2130,8 @@ do
 
     -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
-    local MOST_BYTES = 64 * 1024
+    -- Each holds about as much for its tables as the second number, besides its body.
+    local MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512
     local HEADER = ("\0"):rep(HEADER_SIZE)
     local summaries, summary_bytes = {}, 0
 
@@ -2149,7 +2152,7 @@ do
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
         }
         if summary_bytes > MOST_BYTES then operations.forget() end
-        summaries[body], summary_bytes = summary, summary_bytes + #body
+        summaries[body], summary_bytes = summary, summary_bytes + #body + SUMMARY_BYTES
         return summary
     end
 
@@ -2668,7 +2671,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    if is_shown then storage.free_unused() end
+    storage.free_unused(is_shown)
     return line, item
 end
 
@@ -4273,4 +4276,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 71ab3c912afd095c
+-- Checksum of the lines above, by which a changed file is recognised: 8f769b1273e80620

@@ -82,3 +82,24 @@ def test_what_is_known_of_an_operation_is_read_when_it_comes(tmp_path: Path) -> 
     with Tshark.from_setting(script) as tshark:
         few, all_of_them = (number_said(tshark, frames, *WITH_TREE) for frames in (tones, [*tones, *every_operation()]))
     assert all_of_them - few > 200
+
+
+def test_commands_that_never_repeat_take_little_memory(tmp_path: Path) -> None:
+    """What is kept for later passes is small, and what is kept to save time has a limit: 250 bytes a packet."""
+    script = tmp_path / "ev3.lua"
+    script.write_text(DISSECTOR.read_text() + HELD)
+    pairs = 10_000
+    # MOVE32_32 of another number to GV0(0) in each command.
+    said = [
+        segment
+        for number in range(pairs)
+        for segment in (
+            Segment(True, struct.pack("<HHBHBBiB", 12, number, 0, 4, 0x3A, 0x83, number, 0x60)),
+            Segment(False, struct.pack("<HHBi", 7, number, 2, number)),
+        )
+    ]
+    with Tshark.from_setting(script) as tshark:
+        few, many = (
+            int(tshark.run(tshark.place(tcp_capture(part), "moves.pcap")).split()[-1]) for part in (said[:20], said)
+        )
+    assert (many - few) * 1024 < 250 * len(said)

@@ -73,7 +73,7 @@ local function dissect_message(tvb, at, message, conversation, place, pinfo, tre
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
     local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    if is_shown then storage.free_unused() end
+    storage.free_unused(is_shown)
     return line, item
 end
 

@@ -17,15 +17,17 @@ do
 
     -- Items and ranges of a tree are garbage after their packet. Collected soon, they are still in the processor's
     -- cache: tshark -V takes 2.5 times as long as without a dissector, not 3.1 times; two passes with a filter, as
-    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held by other scripts a collection takes long.
-    local GROWTH, MOST_KILOBYTES = 1.15, 32 * 1024
+    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held, as by other scripts, a collection takes long.
+    -- Lua's own would wait until twice the memory is used.
+    local SOON, LATER, MUCH_KILOBYTES = 1.15, 1.5, 32 * 1024
     local limit = 0
 
-    function storage.free_unused()
+    function storage.free_unused(is_shown)
         local size = collectgarbage("count")
-        if size < limit or size > MOST_KILOBYTES then return end
+        if size < limit then return end
         -- Finalizers of other scripts may raise errors.
         pcall(collectgarbage)
-        limit = GROWTH * collectgarbage("count")
+        size = collectgarbage("count")
+        limit = size * (is_shown and size < MUCH_KILOBYTES and SOON or LATER)
     end
 end

@@ -198,7 +198,8 @@ do
 
     -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
-    local MOST_BYTES = 64 * 1024
+    -- Each holds about as much for its tables as the second number, besides its body.
+    local MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512
     local HEADER = ("\0"):rep(HEADER_SIZE)
     local summaries, summary_bytes = {}, 0
 
@@ -219,7 +220,7 @@ do
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
         }
         if summary_bytes > MOST_BYTES then operations.forget() end
-        summaries[body], summary_bytes = summary, summary_bytes + #body
+        summaries[body], summary_bytes = summary, summary_bytes + #body + SUMMARY_BYTES
         return summary
     end
 

@@ -52,11 +52,12 @@ def _recording() -> Dispatch:
 
         return DispatchEntry(function, entry.readers)
 
-    found: list[DispatchEntry | Family | None] = []
+    found: list[DispatchEntry | Family] = []
     for number, entry in enumerate(dispatch_table(_DIALECT)):
         if isinstance(entry, Family):
             entries = {command: noted(each, names[number, command]) for command, each in entry.entries.items()}
             found.append(Family(entries, entry.unknown))
         else:
-            found.append(None if entry is None else noted(entry, names[number, None]))
+            name = names.get((number, None))
+            found.append(noted(entry, name) if name else entry)
     return tuple(found)

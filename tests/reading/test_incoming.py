@@ -124,7 +124,7 @@ def test_lines_are_the_same_in_chunks_of_any_size(size: int, data: bytes, lines:
         def readinto(self, buffer: Any) -> int:
             return super().readinto(memoryview(buffer)[:size])
 
-    assert list(IncomingLines(io.BufferedReader(Slow(data)))) == lines  # type: ignore[arg-type]
+    assert list(IncomingLines(io.BufferedReader(Slow(data)))) == lines
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows does not tell whether a pipe is empty")

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 from urllib.parse import quote
 
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
-from ev3proto.checking.report import Finding, Severity
+from ev3proto.checking.report import Finding, Report, Severity, Suggestion
 from ev3proto.cli.check_output import SOURCE_CODE, Checked, Output, Tally
 from ev3proto.cli.output import Printer
 from ev3proto.version import VERSION
@@ -59,34 +59,43 @@ class Note:
 
 def notes_on(checked: Checked) -> Iterator[Note]:
     """Yields the findings of a frame or a program, one more if the brick refuses it for a reason that none gives."""
-    facts, report, is_file = checked.place.facts, checked.report, checked.is_program
-    name = str(facts.get("source", ""))
+    report, name = checked.report, str(checked.place.facts.get("source", ""))
     for severity, one in checked.source:
         yield Note(severity, SOURCE_CODE, one.reason, name, one.line, one.column)
     if report is None:
         return
-    shown = list(checked.shown)
+    nearest = checked.nearest
+    for finding in (*_refusal(report, checked.shown), *checked.shown):
+        yield _note(checked, report, finding, nearest)
+        nearest = ()  # what was meant is said once
+
+
+def _refusal(report: Report, shown: Sequence[Finding]) -> Iterator[Finding]:
+    """Yields an error for a refusal that no shown finding explains."""
     if not report.accepted and not any(one.severity is Severity.ERROR for one in shown):
-        at = report.rejected_at or 0
         advice = "ev3proto check shows why" if report.findings else "the bytes there are not what it reads"
-        shown.insert(0, Finding(Severity.ERROR, REFUSED, at, 0, "the brick refuses it", advice))
+        yield Finding(Severity.ERROR, REFUSED, report.rejected_at or 0, 0, "the brick refuses it", advice)
+
+
+def _note(checked: Checked, report: Report, finding: Finding, nearest: Sequence[Suggestion]) -> Note:
+    """Returns a finding of a frame or a program, with what was probably meant."""
+    facts, span = checked.place.facts, {"offset": finding.offset, "length": finding.length}
     packet = {"packet": facts["packet"]} if "packet" in facts else {}
-    where = f"packet {facts['packet']}, " if packet else ""
-    meant = "".join(f"; did you mean: {one.message}?" for one in checked.nearest)
-    for number, finding in enumerate(shown):
-        yield Note(
-            finding.severity,
-            finding.code,
-            f"{where}offset {finding.offset}: {finding.message}; {finding.help}{'' if number else meant}",
-            name,
-            facts.get("line"),
-            facts.get("column"),
-            (finding.offset, finding.length) if is_file else None,
-            {"offset": finding.offset, "length": finding.length}
-            | ({} if is_file else {"frame": report.frame.hex()})
-            | ({} if number or not meant else {"nearest": [one.as_dict() for one in checked.nearest]})
-            | packet,
-        )
+    where = "".join(f"packet {number}, " for number in packet.values())
+    meant = "".join(f"; did you mean: {one.message}?" for one in nearest)
+    return Note(
+        finding.severity,
+        finding.code,
+        f"{where}offset {finding.offset}: {finding.message}; {finding.help}{meant}",
+        str(facts.get("source", "")),
+        facts.get("line"),
+        facts.get("column"),
+        (finding.offset, finding.length) if checked.is_program else None,
+        span
+        | ({} if checked.is_program else {"frame": report.frame.hex()})
+        | ({"nearest": [one.as_dict() for one in nearest]} if nearest else {})
+        | packet,
+    )
 
 
 class GitHub(Output):

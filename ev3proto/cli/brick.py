@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from inspect import cleandoc
 from pathlib import Path
+from typing import NoReturn
 
 import click
 
@@ -177,19 +178,29 @@ def brick(options: BrickOptions, faults: Faults) -> None:
     if options.coverage:
         _show_coverage(options.dialect)
         return
-    server = options.server(faults)
-    if (options.errors_only or options.as_json) and not options.report:
-        raise click.UsageError("--errors-only and --json need --report")
-    if server.port is None and server.serial is None and server.page is None:
-        raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
+    server = _server(options, faults)
     if not options.quiet:
         if server.has_core_set:
             complain(CORE_SET_SENTENCE)
         complain(f"this brick differs from a real one in {len(DEVIATIONS)} ways: ev3proto brick --help lists them")
     with folder(options.root) as place:
         reporter = asyncio.run(_serve(server, place))
-    if reporter is None:
-        return
+    if reporter is not None:
+        _report(reporter, options)
+
+
+def _server(options: BrickOptions, faults: Faults) -> Options:
+    """Returns the options of the server. Raises click.UsageError for some that do not fit together."""
+    server = options.server(faults)
+    if (options.errors_only or options.as_json) and not options.report:
+        raise click.UsageError("--errors-only and --json need --report")
+    if server.port is None and server.serial is None and server.page is None:
+        raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
+    return server
+
+
+def _report(reporter: Reporter, options: BrickOptions) -> NoReturn:
+    """Prints what `check` found in the clients' frames, and ends the program."""
     if options.as_json:
         for line in reporter.json_lines(errors_only=options.errors_only):
             say(line)

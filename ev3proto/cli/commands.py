@@ -131,32 +131,38 @@ class Commands(Group):
             sys.stdout.reconfigure(errors="backslashreplace")
         try:
             status = super().main(args, prog_name, **extra)
-        except click.ClickException as error:
-            error.message = visible_lines(error.message)
-            with suppress(OSError):
-                error.show()
-            status = error.exit_code
-        except click.Abort:
-            status = 1
-        except OutputError as error:
-            _forget(sys.stdout)
-            status = 0 if error.number == errno.EPIPE else 1
-            if status:
-                complain(str(error))
-        except OSError as error:
-            place = "reading or writing failed" if error.filename is None else error.filename
-            _say_last(f"{place}: {error.strerror or error}")
-            status = 1
-        except (Exception, RecursionError) as error:
-            if ended_behind(error) is not None or os.environ.get(DEBUG):
-                raise
-            _say_last(
-                f"ev3proto: internal error, {REPORT_IT}: {type(error).__name__}: {error}"
-                f" (with {DEBUG}=1 in the environment it says where)"
-            )
-            status = INTERNAL_ERROR
+        except Exception as error:
+            status = _status_after(error)
         _forget_unwritten()
         sys.exit(status if isinstance(status, int) else 0)
+
+
+def _status_after(error: Exception) -> int:
+    """Prints why the program ends, and returns its exit status. Raises what a signal or DEBUG is behind again."""
+    if isinstance(error, click.ClickException):
+        error.message = visible_lines(error.message)
+        with suppress(OSError):
+            error.show()
+        return error.exit_code
+    if isinstance(error, click.Abort):
+        return 1
+    if isinstance(error, OutputError):
+        _forget(sys.stdout)
+        if error.number == errno.EPIPE:
+            return 0
+        complain(str(error))
+        return 1
+    if isinstance(error, OSError):
+        place = "reading or writing failed" if error.filename is None else error.filename
+        _say_last(f"{place}: {error.strerror or error}")
+        return 1
+    if ended_behind(error) is not None or os.environ.get(DEBUG):
+        raise error
+    _say_last(
+        f"ev3proto: internal error, {REPORT_IT}: {type(error).__name__}: {error}"
+        f" (with {DEBUG}=1 in the environment it says where)"
+    )
+    return INTERNAL_ERROR
 
 
 @contextmanager

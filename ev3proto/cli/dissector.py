@@ -107,15 +107,8 @@ def uninstall_command(folder: Path | None, tshark: str | None, force: bool) -> N
 
 
 def _install(folder: Path | None, with_profile: bool, tshark: str | None, force: bool) -> None:
-    asked = None
-    try:
-        asked = Tshark(tshark) if tshark or folder is None else None
-    except NoTsharkError:
-        if tshark:
-            raise
-    named = Folders.below(folder) if folder is not None else None
-    folders = named or (asked.folders() if asked else Folders.documented())
-    plugin = folders.plugins / FILE_NAME
+    asked = _asked(tshark) if tshark or folder is None else None
+    folders = _folders(folder, asked)
     for path, outcome in install_dissector(folders.plugins, force=force):
         if outcome is InstallResult.KEPT:
             raise InstallError(f"{path} {reason_to_keep(path)}; move it away, or overwrite it with --force")
@@ -124,12 +117,33 @@ def _install(folder: Path | None, with_profile: bool, tshark: str | None, force:
     if with_profile:
         outcomes += install_profile(folders.profiles, force=force)
     _say(outcomes, "overwrite")
-    trouble = asked.trouble(plugin) if asked else None
-    if asked and trouble:
-        raise InstallError(f"{asked.path} does not load it: {trouble}")
-    if asked:
+    if asked is not None:
+        if trouble := asked.trouble(folders.plugins / FILE_NAME):
+            raise InstallError(f"{asked.path} does not load it: {trouble}")
         say(f"{asked.path} loads it.")
-    elif folder is None:
+    _say_what_is_left(folder, with_profile=with_profile, is_loaded=asked is not None)
+
+
+def _asked(tshark: str | None) -> Tshark | None:
+    """Returns the tshark that is named or on the path; None if there is none, and none was named."""
+    try:
+        return Tshark(tshark)
+    except NoTsharkError:
+        if tshark:
+            raise
+        return None
+
+
+def _folders(folder: Path | None, asked: Tshark | None) -> Folders:
+    """Returns Wireshark's folders: below the one that was named, or as tshark says, or as documented."""
+    if folder is not None:
+        return Folders.below(folder)
+    return Folders.documented() if asked is None else asked.folders()
+
+
+def _say_what_is_left(folder: Path | None, *, with_profile: bool, is_loaded: bool) -> None:
+    """Prints what the user still has to do."""
+    if not is_loaded and folder is None:
         say("tshark was not found, so these are Wireshark's usual folders; compare Help, About, Folders in Wireshark.")
     say("Restart Wireshark, or choose Analyze, Reload Lua Plugins.")
     if with_profile and folder is None:

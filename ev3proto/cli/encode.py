@@ -7,12 +7,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import click
 
 from ev3proto.capture.record import Record
-from ev3proto.cli.options import Whole, gathered, given_options, incompatible, reply_option
+from ev3proto.cli.options import PATH, Whole, gathered, given_options, incompatible, reply_option
 from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import made_of, reading_options
@@ -128,7 +128,7 @@ class _Version(click.ParamType):
     type=click.Choice((*FORMS, RBF)),
     help="Format of the output (default: hex); rbf is the image of a program, as for -o FILE.rbf.",
 )
-@click.option("-o", "--output", "path", metavar="FILE", help="Write to this file, not standard output.")
+@click.option("-o", "--output", "path", type=PATH, metavar="FILE", help="Write to this file, not standard output.")
 @gathered(
     Making,
     "making",
@@ -159,7 +159,7 @@ class _Version(click.ParamType):
 )
 @reading_options
 def encode(
-    names: tuple[str, ...], form: str | None, path: str | None, making: Making, building: Building, reading: Options
+    names: tuple[str, ...], form: str | None, path: Path | None, making: Making, building: Building, reading: Options
 ) -> None:
     """Builds frames from assembly, JSON or other notations, and programs from their sources.
 
@@ -176,28 +176,32 @@ def encode(
       ev3proto decode --format asm robot.pcapng > robot.asm
       ev3proto encode robot.asm
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if form == RBF or (form is None and (building.is_given or (path or "").lower().endswith(SUFFIX))):
+    if form == RBF or (form is None and (building.is_given or (path is not None and path.suffix.lower() == SUFFIX))):
         sys.exit(_program(names, path, building))
     if building.is_given:
         raise click.UsageError("--source, --version and --shortest are for programs; add --to rbf or -o FILE.rbf")
-    form = form or "hex"
     if form == RAW:
         refuse_terminal(path, "raw bytes", "them")
-    dialogue, number, problems = Dialogue(), 0, Problems()
-    with failing_to("written", path), output_to(None if path is None else Path(path)) as stream:
-        for number, message in enumerate(encoded(names, reading, making, problems), 1):
-            data = FORMS[form](message, number, dialogue)
-            if path is None and isinstance(data, str):
-                say(data)
-            else:
-                stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
-        if not number:
-            # Nothing was written yet, and an existing file stays.
-            sys.exit(1)
+    problems = Problems()
+    with failing_to("written", path), output_to(path) as stream:
+        _write(encoded(names, reading, making, problems), form or "hex", stream, is_printed=path is None)
     sys.exit(problems.status)
 
 
-def _program(names: Sequence[str], path: str | None, building: Building) -> int:
+def _write(messages: Iterator[Message], form: str, stream: BinaryIO, *, is_printed: bool) -> None:
+    """Writes messages in a format to a file or standard output. Ends the program without any; a file stays then."""
+    dialogue, number = Dialogue(), 0
+    for number, message in enumerate(messages, 1):
+        data = FORMS[form](message, number, dialogue)
+        if is_printed and isinstance(data, str):
+            say(data)
+        else:
+            stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
+    if not number:
+        sys.exit(1)
+
+
+def _program(names: Sequence[str], path: Path | None, building: Building) -> int:
     """Assembles a program and writes its image. Returns the exit status."""
     from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
 

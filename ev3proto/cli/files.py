@@ -18,6 +18,7 @@ from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
+from ev3proto.reading.parts import Part
 from ev3proto.text.spans import visible
 
 
@@ -53,12 +54,7 @@ def files(
     captures, problems = captures_of(names, reading), Problems(ProblemCode.NO_MATCH)
     for part in captures.each():
         errors, is_empty = problems.errors, True
-        events = problems.captured(part)
-        if folder is None:
-            found = survey(events, listings=listings)
-        else:
-            found = recover(events, folder, force=force, listings=listings)
-        for recovered in _complaining(found, problems):
+        for recovered in _recovered(part, folder, problems, force=force, listings=listings):
             is_empty = False
             if as_json:
                 say_json(_record(recovered))
@@ -66,20 +62,26 @@ def files(
                 rows.append(_row(recovered))
             elif recovered.file is not None:
                 say(f"{recovered.file}: {recovered.bytes} bytes {recovered.direction}, {visible(recovered.path)}")
-            if folder is not None and recovered.trouble is not None:
-                complain(f"{part.where(recovered.packets[0])}: {visible(recovered.path)}: {recovered.trouble}")
-                problems.errors += recovered.outcome is not FileState.REFUSED
         if is_empty and problems.errors == errors:
             complain(f"{part.label}: no file is moved{part.passed_over}")
-    if rows:
-        _list(rows, f"{captures.unit}s")
+    _list(rows, f"{captures.unit}s")
     sys.exit(problems.status)
 
 
-def _complaining(found: Iterator[RecoveredFile], problems: Problems) -> Iterator[RecoveredFile]:
-    """Yields the files, and complains if writing them fails."""
+def _recovered(
+    part: Part, folder: Path | None, problems: Problems, *, force: bool, listings: bool
+) -> Iterator[RecoveredFile]:
+    """Yields the files, and after each of those that are written what is wrong with it."""
+    events = problems.captured(part)
+    if folder is None:
+        yield from survey(events, listings=listings)
+        return
     try:
-        yield from found
+        for file in recover(events, folder, force=force, listings=listings):
+            yield file
+            if file.trouble is not None:
+                complain(f"{part.where(file.packets[0])}: {visible(file.path)}: {file.trouble}")
+                problems.errors += file.outcome is not FileState.REFUSED
     except OSError as error:
         problems.wrong(f"{error.filename2 or error.filename}: cannot be written: {error.strerror or error}")
 
@@ -94,6 +96,8 @@ def _row(file: RecoveredFile) -> tuple[str, ...]:
 
 
 def _list(rows: list[tuple[str, ...]], places: str) -> None:
+    if not rows:
+        return
     bricks = {row[_COLUMNS.index("brick")] for row in rows}
     titles = [places if name == "packets" else name for name in _COLUMNS]
     Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(titles, rows)

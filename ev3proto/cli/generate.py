@@ -86,6 +86,14 @@ def _used_twice(root: Path) -> Iterator[str]:
         yield f"{number} is already {old}: give {new} a number that is free"
 
 
+def _own_root() -> Path:
+    """Returns the folder of the project that this package is in. Raises click.UsageError if it is installed alone."""
+    root = Path(__file__).parents[2]
+    if not any((root / name).exists() for name in _OF_THE_PROJECT):
+        raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
+    return root
+
+
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file is not what would be written.")
 @click.option(
@@ -95,10 +103,7 @@ def _used_twice(root: Path) -> Iterator[str]:
 )
 def main(check: bool, root: Path | None) -> None:
     """Writes or checks the files."""
-    if root is None:
-        root = Path(__file__).parents[2]
-        if not any((root / name).exists() for name in _OF_THE_PROJECT):
-            raise click.UsageError("this ev3proto is installed without its project: give --root, the project's folder")
+    root = root or _own_root()
     if found := list(_used_twice(root)):
         click.echo("\n".join(found), err=True)
         sys.exit(1)

@@ -117,7 +117,7 @@ class _Watching:
             elif isinstance(event, Record | Skipped | Announcement):
                 if self._start_ns is None:
                     self._start_ns = event.time_ns
-                if isinstance(event, Announcement) and self._chosen is None and (self._as_json or self._is_new(event)):
+                if isinstance(event, Announcement) and self._is_shown(event):
                     show_announcement(self._show, event, self._start_ns)
                 yield event
 
@@ -125,8 +125,11 @@ class _Watching:
         chosen = self._chosen
         return chosen is None or chosen.of_dialogue(pair)
 
-    def _is_new(self, announcement: Announcement) -> bool:
-        if announcement.said is not TextKind.BEACON:
+    def _is_shown(self, announcement: Announcement) -> bool:
+        """Whether to show a text: without a filter each one, but equal beacons only once for people."""
+        if self._chosen is not None:
+            return False
+        if self._as_json or announcement.said is not TextKind.BEACON:
             return True
         is_new = announcement.data not in self._beacons
         if len(self._beacons) < MOST_BEACONS:

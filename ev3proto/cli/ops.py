@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
-from typing import Any
+from functools import partial
+from typing import Any, NoReturn
 
 import click
 
@@ -40,24 +41,34 @@ def ops(words: tuple[str, ...], area: str | None, as_json: bool, dialect: str) -
       ev3proto ops battery
       ev3proto ops LED_RED_FLASH
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    printer = Printer()
     every = [*_entries(dialect), *(_other_names() if words else ())]
     entries = [entry for entry in every if area is None or entry.area == area]
-    exact = _exact(entries, words) if words else []
+    exact = _exact(entries, words)
     found = exact or _ranked(entries, words)
     if not found:
-        hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_word(entries, words)
-        hint = hint or "; `ev3proto ops` lists all operations"
-        raise Failure(f"no operation matches {' '.join(words)!r}{hint}")
-    for number, entry in enumerate(found):
-        if as_json:
+        _fail(entries, words)
+    if as_json:
+        for entry in found:
             say_json(entry.record())
-        elif len(found) == 1 or (exact and all(entry.name == found[0].name for entry in exact)):
-            if number:
-                printer.text("")
-            printer.lines(entry.page())
-        else:
-            printer.lines([entry.line()])
+    else:
+        _show(found, in_full=len(found) == 1 or len({entry.name for entry in exact}) == 1)
+
+
+def _fail(entries: list[Entry], words: tuple[str, ...]) -> NoReturn:
+    hint = near_misses(".".join(words), [entry.name for entry in entries]) or _near_word(entries, words)
+    hint = hint or "; `ev3proto ops` lists all operations"
+    raise Failure(f"no operation matches {' '.join(words)!r}{hint}")
+
+
+def _show(found: list[Entry], *, in_full: bool) -> None:
+    printer = Printer()
+    if not in_full:
+        printer.lines(entry.line() for entry in found)
+        return
+    for number, entry in enumerate(found):
+        if number:
+            printer.text("")
+        printer.lines(entry.page())
 
 
 def _entries(dialect: str) -> list[Entry]:
@@ -87,32 +98,17 @@ def _other_names() -> Iterator[Entry]:
 
 def _operation(entry: Declaration, dialect: str) -> Entry:
     """Returns the entry of an operation."""
-    number, area = entry.opcode.number, area_of(entry.opcode)
+    area = area_of(entry.opcode)
     said = [f"{parameter.name} {parameter.text}" for parameter in entry.parameters]
     said += [" ".join(parameter.enum.members) for parameter in entry.parameters if parameter.enum is not None]
 
-    def about() -> Iterator[Spans]:
-        head = instruction_set(dialect)[entry.name].head
-        numbers = f"opcode 0x{number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
-        yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {area}", Role.ASIDE)]
-        if entry.dialects != DIALECTS:
-            yield [(f"  only in the firmware: {', '.join(entry.dialects)}", Role.ASIDE)]
-        if entry.command:
-            yield [(f"  of the family {entry.opcode.name}: {entry.opcode.text}", Role.ASIDE)]
-        yield from ([(f"  it {effect.value}", Role.MEANING)] for effect in entry.effects)
-        if entry.note:
-            yield [(f"  note: {entry.note}", Role.MEANING)]
-        if not entry.parameters:
-            yield [("  no parameters", Role.PLAIN)]
-        for parameter in entry.parameters:
-            yield from _parameter(parameter)
-
     def record() -> dict[str, Any]:
+        command = entry.command
         return {
             "op": entry.opcode.name,
-            "command": entry.command.name if entry.command else None,
-            "opcode": number,
-            "cmd": entry.command.number if entry.command else None,
+            "command": command.name if command else None,
+            "opcode": entry.opcode.number,
+            "cmd": command.number if command else None,
             "area": area,
             "text": entry.text,
             "dialects": list(entry.dialects),
@@ -120,7 +116,26 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
             "parameters": list(map(_parameter_record, entry.parameters)),
         }
 
-    return Entry(entry.name, number, area, "", entry.text, " ".join(said), about, record)
+    about = partial(_about, entry, area, dialect)
+    return Entry(entry.name, entry.opcode.number, area, "", entry.text, " ".join(said), about, record)
+
+
+def _about(entry: Declaration, area: str, dialect: str) -> Iterator[Spans]:
+    """Yields the lines about an operation under its name and text."""
+    head = instruction_set(dialect)[entry.name].head
+    numbers = f"opcode 0x{entry.opcode.number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
+    yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {area}", Role.ASIDE)]
+    if entry.dialects != DIALECTS:
+        yield [(f"  only in the firmware: {', '.join(entry.dialects)}", Role.ASIDE)]
+    if entry.command:
+        yield [(f"  of the family {entry.opcode.name}: {entry.opcode.text}", Role.ASIDE)]
+    yield from ([(f"  it {effect.value}", Role.MEANING)] for effect in entry.effects)
+    if entry.note:
+        yield [(f"  note: {entry.note}", Role.MEANING)]
+    if not entry.parameters:
+        yield [("  no parameters", Role.PLAIN)]
+    for parameter in entry.parameters:
+        yield from _parameter(parameter)
 
 
 def _system(entry: SystemDeclaration) -> Entry:
@@ -160,12 +175,12 @@ def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:
     """Returns the entries with a name or number; a family's name means all of its commands."""
     name = ".".join(words).upper().replace(" ", ".")
     found = [entry for entry in entries if name == entry.name or (name == f"OP{entry.name}" and not entry.kind)]
-    if not found and re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
-        number = int(name, 16 if name.startswith("0X") else 10)
-        form = encoding(number) if number < len(ENCODINGS) else None
-        others = [entry for entry in entries if entry.number == number and entry.kind not in (ENCODING, MODE)]
-        found = [*([] if form is None else [form]), *sorted(others, key=lambda entry: not entry.kind)]
-    return found
+    if found or not re.fullmatch(r"0X[0-9A-F]+|[0-9]{1,3}", name):
+        return found
+    number = int(name, 16 if name.startswith("0X") else 10)
+    form = encoding(number) if number < len(ENCODINGS) else None
+    others = [entry for entry in entries if entry.number == number and entry.kind not in (ENCODING, MODE)]
+    return [*filter(None, [form]), *sorted(others, key=lambda entry: not entry.kind)]
 
 
 def _ranked(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:

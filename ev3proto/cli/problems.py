@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
 from ev3proto.capture.record import Announcement, Record, Skipped
 from ev3proto.checking.report import Severity
@@ -59,6 +60,12 @@ class Problems:
         complain(sentence)
         self._heard(sentence)
         self.errors += 1
+
+    def end_without(self, sentence: str) -> NoReturn:
+        """Ends the program because nothing was found, and says so unless an error was printed."""
+        if not self.errors:
+            complain(sentence)
+        sys.exit(1)
 
     @property
     def status(self) -> int:

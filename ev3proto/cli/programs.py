@@ -102,7 +102,7 @@ def assembled(
 
 
 def encode_program(
-    found: list[Given], path: str | None, *, source_dialect: str | None, version: int | None, shortest: bool
+    found: list[Given], path: Path | None, *, source_dialect: str | None, version: int | None, shortest: bool
 ) -> int:
     """Assembles one source and writes its image. Returns the exit status."""
     if len(found) != 1:
@@ -114,7 +114,7 @@ def encode_program(
         return 1
     label = "the source" if source.word is not None else source.label
     made = assembled(text, label, dialect=source_dialect, version=version, shortest=shortest)
-    if made is None or not put(made.image, None if path is None else Path(path)):
+    if made is None or not put(made.image, path):
         return 1
     written = {"strict": "the strict dialect", "lego": "LEGO's dialect"}.get(made.dialect, "EV3 Basic's dialect")
     size, objects = counted(len(made.image), "byte"), counted(len(made.program.objects), "object")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -62,6 +63,11 @@ def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wan
 def captures_of(names: Sequence[str], reading: Options) -> Reading:
     """Returns the reading of the captures and logs that words name, for subcommands that take nothing else."""
     return Reading(files(names), replace(reading, sources=Sources.NO, images=False))
+
+
+def title_of(reading: Reading) -> str:
+    """Returns the names of the files that are read, without their folders."""
+    return ", ".join(Path(part.label).name for part in reading.parts)
 
 
 def made_of(source: Source, reading: Reading, problems: Problems, **making: Any) -> Iterator[Record]:

@@ -11,7 +11,7 @@ from dataclasses import replace
 import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.cli.output import Failure, Printer, complain
+from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.problems import Problems
 from ev3proto.cli.reading import captures_of, reading_options
 from ev3proto.cli.recorded import Dialogues
@@ -100,10 +100,8 @@ def replay(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     captures, problems = captures_of([name], reading), Problems(ProblemCode.EMPTY)
     found = list(steps(dialogues(problems.captured(captures.events()))))
-    if not found and not problems.errors:
-        raise Failure(f"{captures.part.label}: no command found")
     if not found:
-        sys.exit(1)
+        problems.end_without(f"{captures.part.label}: no command found")
     if dry_run:
         _show_plan(found, allowed)
         sys.exit(problems.status)

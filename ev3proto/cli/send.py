@@ -68,30 +68,33 @@ def send(
     if bare and target.way is not Way.VIRTUAL:
         raise click.UsageError("--bare is for a virtual brick")
     problems = Problems()
-    options = Options(dialect, raises=False)
-    found = list(encoded(names, options, Making(reply=reply), problems, faults=False))
+    found = encoded(names, Options(dialect, raises=False), Making(reply=reply), problems, faults=False)
+    commands = _commands(list(found), problems, is_forced=force)
+    if not force and _refused(commands, dialect, target.carrier):
+        raise Failure("nothing was sent; --force sends it anyway")
+    if target.way is Way.VIRTUAL and not bare and any(map(_uses_ports, commands)):
+        complain(CORE_SET_SENTENCE)
+    with channel_to(replace(target, is_bare=bare)) as channel:
+        is_fine = _talk(channel, commands, Show("json" if as_json else None), timeout, dialect, str(target))
+    sys.exit(problems.status if is_fine else 1)
+
+
+def _commands(found: list[Message], problems: Problems, *, is_forced: bool) -> list[Message]:
+    """Returns the messages that can be sent. Ends the program without any, or if not all of the input was read."""
     commands = [message for message in found if message.type is None or message.type.is_command]
     if not commands:
-        if not problems.errors:
-            complain("nothing to send; expected frames in hex, or assembly")
-        sys.exit(1)
-    if problems.errors and not force:
+        problems.end_without("nothing to send; expected frames in hex, or assembly")
+    if problems.errors and not is_forced:
         raise Failure("nothing was sent, because part of the input cannot be read; --force sends the rest")
     if len(commands) < len(found):
         complain(f"skipped {counted(len(found) - len(commands), 'frame')} from a brick")
-    checked = partial(is_refused, dialect=dialect, carrier=target.carrier, alone=len(commands) == 1)
-    allowed = [
-        message
-        for number, message in enumerate(commands, 1)
-        if force or not checked(message.build(), f"frame {number}")
-    ]
-    if len(allowed) < len(commands):
-        raise Failure("nothing was sent; --force sends it anyway")
-    if target.way is Way.VIRTUAL and not bare and any(map(_uses_ports, allowed)):
-        complain(CORE_SET_SENTENCE)
-    with channel_to(replace(target, is_bare=bare)) as channel:
-        is_fine = _talk(channel, allowed, Show("json" if as_json else None), timeout, dialect, str(target))
-    sys.exit(0 if is_fine and not problems.errors else 1)
+    return commands
+
+
+def _refused(commands: list[Message], dialect: str, carrier: str) -> list[Message]:
+    """Returns the commands that the brick would refuse; what is wrong with each one is printed."""
+    checked = partial(is_refused, dialect=dialect, carrier=carrier, alone=len(commands) == 1)
+    return [each for number, each in enumerate(commands, 1) if checked(each.build(), f"frame {number}")]
 
 
 def _uses_ports(message: Message) -> bool:

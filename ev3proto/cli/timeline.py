@@ -15,7 +15,7 @@ from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect
 from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
 from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options
+from ev3proto.cli.reading import captures_of, reading_options, title_of
 from ev3proto.reading.options import Options
 
 MOST_SECONDS = 1e9
@@ -48,6 +48,28 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
       ev3proto timeline robot.pcapng -o robot.html
       ev3proto timeline robot.pcapng -o start.png --from 5 --to 5.5
     """  # noqa: D301 - the mark by which click leaves lines as they are
+    form = _form(output)
+    if first is not None and last is not None and first >= last:
+        raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
+    if not output.parent.is_dir():
+        raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
+    # The timeline filters by itself: a reply that is kept back must not look as if it never came.
+    captures, problems = captures_of(files, replace(reading, filter=None)), Problems()
+    events, is_timed = _begun(problems.captured(captures.events()))
+    if not is_timed and (first is not None or last is not None):
+        complain(f"{captures.label}: has no times: --from and --to count its lines")
+    drawn = collect(events, reading.filter, Window(first, last))
+    if drawn is None:
+        nothing = _nothing(captures.label, first, last, is_timed=is_timed)
+        problems.end_without(nothing + captures.passed_over)
+    if not put(render(drawn, form, title_of(captures)), output):
+        sys.exit(1)
+    say(f"{output}: written")
+    sys.exit(problems.status)
+
+
+def _form(output: Path) -> Form:
+    """Returns the format of a file by its suffix. Ends the program if it is unknown, or its library is missing."""
     try:
         form = Form.of(output)
         if form is not Form.JSON:
@@ -56,26 +78,7 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
         raise Failure(str(error)) from None
     except ValueError as error:
         raise click.UsageError(str(error)) from None
-    if first is not None and last is not None and first >= last:
-        raise click.UsageError(f"--from {first:g} must be less than --to {last:g}")
-    if not output.parent.is_dir():
-        raise Failure(f"{output}: cannot be written: there is no folder {output.parent}")
-    # The timeline filters by itself: a reply that is kept back must not look as if it never came.
-    captures, problems = captures_of(files, replace(reading, filter=None)), Problems()
-    labels = ", ".join(part.label for part in captures.parts)
-    names = ", ".join(Path(part.label).name for part in captures.parts)
-    events, is_timed = _begun(problems.captured(captures.events()))
-    if not is_timed and (first is not None or last is not None):
-        complain(f"{labels}: has no times: --from and --to count its lines")
-    drawn = collect(events, reading.filter, Window(first, last))
-    if drawn is None:
-        if not problems.errors:
-            complain(_nothing(labels, first, last, is_timed=is_timed) + captures.passed_over)
-        sys.exit(1)
-    if not put(render(drawn, form, names), output):
-        sys.exit(1)
-    say(f"{output}: written")
-    sys.exit(problems.status)
+    return form
 
 
 def _begun(events: Iterator[Event]) -> tuple[Iterator[Event], bool]:

@@ -17,7 +17,7 @@ from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.options import FILE, exclusive
 from ev3proto.cli.output import Failure, complain, put, say, say_json
 from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options
+from ev3proto.cli.reading import captures_of, reading_options, title_of
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.reading.items import ProblemCode
@@ -33,8 +33,8 @@ MOST_PRINTED = 100_000
 _CELL = 150
 """Characters that take as much memory as a cell."""
 
-MOST_COLUMNS = {None: MOST_SHOWN, "csv": 1_000, "json": None}
-"""Columns by format. JSON has only existing values, so it needs no limit."""
+MOST_COLUMNS = {"csv": 1_000, "json": sys.maxsize}
+"""Columns by format, MOST_SHOWN for others. JSON has only existing values, so it needs no limit."""
 
 
 @click.command()
@@ -62,33 +62,37 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    form = "csv" if as_csv else "json" if as_json else None
     captures, problems, found = captures_of(files, reading), Problems(ProblemCode.NO_MATCH), Series()
     for part in captures.each():
         found.extend(series_of(problems.captured(part), part.label, MOST_CELLS - found.size))
     if found.omitted:
         kept = f"{MOST_CELLS:,} cells are kept; --filter chooses others"
         problems.wrong(f"{counted(found.omitted, 'row')} omitted: {kept}")
-    labels = [part.label for part in captures.parts]
     if not found.rows:
-        if not problems.errors:
-            complain(f"{', '.join(labels)}: no reply with its command found{captures.passed_over}")
-        sys.exit(1)
+        problems.end_without(f"{captures.label}: no reply with its command found{captures.passed_over}")
     start = captures.account.first_ns or 0
-    most = MOST_COLUMNS[form] if plot is None else MOST_SHOWN
-    if most is not None and len(found.units) > most:
-        complain(
-            f"there are {len(found.units):,} columns: the {most:,} with the most values are shown; --filter chooses"
-            " replies, and --json prints all values"
-        )
-        found = found.narrowed(most)
+    found = _narrowed(found, "csv" if as_csv else "json" if as_json else "")
     if plot is not None:
-        _draw(found, plot, ", ".join(Path(label).name for label in labels), start)
-    elif form is None:
-        _print_table(found, captures.unit, start)
+        _draw(found, plot, title_of(captures), start)
+    elif as_csv:
+        _print_csv(found)
+    elif as_json:
+        _print_json(found)
     else:
-        _PRINTERS[form](found)
+        _print_table(found, captures.unit, start)
     sys.exit(problems.status)
+
+
+def _narrowed(found: Series, form: str) -> Series:
+    """Returns the series with no more columns than a format has."""
+    most = MOST_COLUMNS.get(form, MOST_SHOWN)
+    if len(found.units) <= most:
+        return found
+    complain(
+        f"there are {len(found.units):,} columns: the {most:,} with the most values are shown; --filter chooses"
+        " replies, and --json prints all values"
+    )
+    return found.narrowed(most)
 
 
 def _titles(found: Series) -> list[str]:
@@ -156,12 +160,9 @@ def _records(found: Series) -> Iterator[dict[str, Any]]:
         yield file | {"time": row.time, "packet": row.packet, "peer": row.peer, "values": row.cells}
 
 
-_PRINTERS = {"csv": _print_csv, "json": _print_json}
-
-
 def _draw(found: Series, path: Path, title: str, start_ns: int) -> None:
     try:
-        data = draw(found, path.suffix, Path(title).name, start_ns)
+        data = draw(found, path.suffix, title, start_ns)
     except MissingLibraryError as error:
         raise Failure(str(error)) from None
     except ValueError as error:

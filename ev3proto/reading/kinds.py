@@ -95,6 +95,12 @@ def _unreadable(path: Path | None, start: bytes) -> str | None:
         return None
     if _NXT_PROGRAM.startswith(start) and _beginning(path, len(_NXT_PROGRAM)) == _NXT_PROGRAM:
         return "a program for an NXT (.rxe), LEGO's earlier brick; an EV3 does not run it"
+    return _by_name(path, start)
+
+
+def _by_name(path: Path, start: bytes) -> str | None:
+    """Returns what a file of the brick is that has neither frames nor byte code; None for an unknown kind."""
+    suffix = path.suffix.lower()
     if suffix not in (".rgf", ".rsf", ".bin"):
         return None
     size = path.stat().st_size

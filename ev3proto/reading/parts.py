@@ -298,6 +298,11 @@ class Reading:
             yield part
 
     @property
+    def label(self) -> str:
+        """The names of the sources in problems."""
+        return ", ".join(part.label for part in self.parts)
+
+    @property
     def account(self) -> Account:
         """What all bytes read so far are."""
         account = Account()

@@ -120,7 +120,7 @@ class TextReader:
             return Problem(place, ProblemCode.TEXT, pasted.reason or problem)
         if given.looks_like_a_path:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)
-        reason = pasted.reason if slip is not None and slip.column == 1 else problem
+        reason = pasted.reason if place.column == 1 else problem
         sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
         return Problem(place, ProblemCode.TEXT if given.word.strip() else ProblemCode.EMPTY, sentence)
 

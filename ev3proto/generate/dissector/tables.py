@@ -214,43 +214,52 @@ MOTORS = {Role.MOTOR: "is_motor", Role.MOTORS: "is_set"}
 
 
 def _parameter(parameter: Parameter) -> Table:
-    named: dict[Any, object] = {}
-    if parameter.name in SHORT_NAMES and parameter.role in ROLE_LABELS:
-        named["label"] = ROLE_LABELS[parameter.role]
-    if parameter.unit:
-        named["unit"] = parameter.unit
-    if parameter.enum is not None:
-        named["enum"] = Name(f"ENUMERATIONS.{parameter.enum.name}")
-    if parameter.special:
-        named["special"] = Table(named=dict(parameter.special))
-    if parameter.role in MOTORS:
-        named[MOTORS[parameter.role]] = True
-    domain = domain_of(parameter)
-    if domain is None and parameter.type in RANGES:
-        named["any"] = True
-    if domain is not None and domain.spans and (parameter.range or parameter.enum or parameter.unsigned):
-        ((low, high),) = domain.spans
-        # A set of no motors is allowed, and means nothing; so is a value that means "not a number".
-        least = 1 if parameter.role is Role.MOTORS else RANGES[parameter.type].low if parameter.unsigned else low
-        named["range"] = Table([max(low, least), high])
-    if parameter.range is not None and parameter.enum is not None:
-        named["is_ranged"] = True
-    if (
-        domain is not None
-        and domain.is_documented
-        and parameter.direction is Direction.IN
-        and parameter.type is not Type.LABEL
-    ):
-        named["outside"] = _outside(parameter, domain)
-    if parameter.length is not None:
-        named["length"] = parameter.length
-    if parameter.element is not None:
-        named["element"] = TYPES[parameter.element] if isinstance(parameter.element, Type) else parameter.element
-    if parameter.counts:
-        named["elements"] = DIRECTIONS[parameter.elements]
-    if parameter.validated is not None:
-        named["validated"] = TYPES[parameter.validated]
+    facts = _presentation(parameter) | _numbers(parameter) | _contents(parameter)
+    named = {name: fact for name, fact in facts.items() if fact is not None}
     return Table([parameter.name, DIRECTIONS[parameter.direction], _type(parameter), parameter.text], named)
+
+
+def _presentation(parameter: Parameter) -> dict[Any, object]:
+    """Returns what the values of a parameter are shown with."""
+    return {
+        "label": ROLE_LABELS.get(parameter.role) if parameter.role and parameter.name in SHORT_NAMES else None,
+        "unit": parameter.unit or None,
+        "enum": None if parameter.enum is None else Name(f"ENUMERATIONS.{parameter.enum.name}"),
+        "special": Table(named=dict(parameter.special)) if parameter.special else None,
+    } | ({MOTORS[parameter.role]: True} if parameter.role in MOTORS else {})
+
+
+def _numbers(parameter: Parameter) -> dict[Any, object]:
+    """Returns which numbers are legal, and what is said of others."""
+    domain = domain_of(parameter)
+    if domain is None:
+        return {"any": True} if parameter.type in RANGES else {}
+    is_checked = domain.is_documented and parameter.direction is Direction.IN and parameter.type is not Type.LABEL
+    return {
+        "range": _range(parameter, domain),
+        "is_ranged": True if parameter.range is not None and parameter.enum is not None else None,
+        "outside": _outside(parameter, domain) if is_checked else None,
+    }
+
+
+def _range(parameter: Parameter, domain: Domain) -> Table | None:
+    if not domain.spans or not (parameter.range or parameter.enum or parameter.unsigned):
+        return None
+    ((low, high),) = domain.spans
+    # A set of no motors is allowed, and means nothing; so is a value that means "not a number".
+    least = 1 if parameter.role is Role.MOTORS else RANGES[parameter.type].low if parameter.unsigned else low
+    return Table([max(low, least), high])
+
+
+def _contents(parameter: Parameter) -> dict[Any, object]:
+    """Returns how much a parameter holds, and of what type."""
+    element, validated = parameter.element, parameter.validated
+    return {
+        "length": parameter.length,
+        "element": TYPES[element] if isinstance(element, Type) else element,
+        "elements": DIRECTIONS[parameter.elements] if parameter.counts else None,
+        "validated": None if validated is None else TYPES[validated],
+    }
 
 
 def _outside(parameter: Parameter, domain: Domain) -> Table:

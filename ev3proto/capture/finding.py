@@ -7,14 +7,14 @@ may be the next one; an incomplete frame must be able to become valid. The disse
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from enum import Enum, auto
 from itertools import islice
 
 from ev3proto.capture.evidence import is_plausible, is_sensible
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import polls_end
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_end, frame_size, may_have_length, may_start
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_end, frame_size, may_start
 from ev3proto.tables import system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
 
@@ -58,6 +58,7 @@ class Found(Enum):
 
     NOTHING = auto()
     OPEN = auto()  # an incomplete frame, valid so far
+    BEGUN = auto()  # a whole frame at the beginning of a packet, faulty or followed by anything
     SINGLE = auto()  # a whole frame, not confirmed by what follows it
     CHAIN = auto()  # a whole frame, and a header after it
 
@@ -148,23 +149,28 @@ class Finder:
         self, buffer: bytes, at: int, begins: Sequence[int], accepts: Accepts, missing: int, *, anywhere: bool
     ) -> Found:
         """Returns what is at one offset."""
-        size, is_begin, code = len(buffer), at in begins, buffer[at + HEADER_SIZE - 1 : at + HEADER_SIZE]
-        if not may_start(buffer, at) or (code and not accepts(MESSAGE_TYPES[code[0]])):
+        size, end, is_begin = len(buffer), frame_end(buffer, at), at in begins
+        if end is not None and not (
+            accepts(MESSAGE_TYPES[buffer[at + HEADER_SIZE - 1]]) and _is_safe(buffer, at, end, begins)
+        ):
             return Found.NOTHING
-        end = at + frame_size(buffer, at) if code else size + 1
         is_cut = missing > 0 and end == size + missing and size - at >= _LEAST
-        is_whole = end <= size or is_cut
-        is_data = code in _SYSTEM and buffer[at + HEADER_SIZE : at + HEADER_SIZE + 1] in _WITH_DATA
-        if is_data and (not is_whole or any(at < start < end for start in begins)):
-            return Found.NOTHING
-        if not is_whole:
-            return Found.OPEN if (is_begin or anywhere) and self.may_become(buffer, at) else Found.NOTHING
-        is_enough = end - at >= _LEAST and (anywhere or size - end >= LENGTH_FIELD)
-        if is_begin or (is_enough and may_start(buffer, end) and self.follow(buffer, end) is not None):
+        if end is None or (end > size and not is_cut):
+            return self._unfinished(buffer, at) if is_begin or anywhere else Found.NOTHING
+        if is_begin or self._is_confirmed(buffer, at, end, anywhere=anywhere):
             message = self._schema.read_frame(buffer[at:end], strict=False)
             if is_plausible(message, self._schema, is_cut=is_cut):
                 return Found.CHAIN
         return Found.SINGLE if is_begin and self._fills(buffer, at, accepts, missing) else Found.NOTHING
+
+    def _unfinished(self, buffer: bytes, at: int) -> Found:
+        is_possible = not _carries_data(buffer, at) and self.may_become(buffer, at)
+        return Found.OPEN if is_possible else Found.NOTHING
+
+    def _is_confirmed(self, buffer: bytes, at: int, end: int, *, anywhere: bool) -> bool:
+        """Returns whether a frame inside of a packet is long enough, and followed by what may be another."""
+        is_enough = end - at >= _LEAST and (anywhere or len(buffer) - end >= LENGTH_FIELD)
+        return is_enough and may_start(buffer, end) and self.follow(buffer, end) is not None
 
     def _fills(self, buffer: bytes, at: int, accepts: Accepts, missing: int) -> bool:
         """Returns whether whole frames fill the bytes from an offset on."""
@@ -198,35 +204,45 @@ class Finder:
             What was found, and its offset; the end of the bytes for `NOTHING`.
 
         """
-        size, trials = len(buffer), MOST_TRIALS
-        opened = single = begun = None
-        for hit in _STARTS.finditer(buffer, at):
-            place = hit.start()
-            if not may_have_length(buffer, place) or not accepts(MESSAGE_TYPES[buffer[place + HEADER_SIZE - 1]]):
-                continue
-            end = place + frame_size(buffer, place)
-            trials -= 1
-            if trials <= 0:
-                break
+        size = len(buffer)
+        first = {Found.NOTHING: size}
+        for place, end in islice(_frames_from(buffer, at, accepts), MOST_TRIALS - 1):
             if end > size:
-                if opened is None and self.may_become(buffer, place):
-                    opened = place
+                if Found.OPEN not in first and self.may_become(buffer, place):
+                    first[Found.OPEN] = place
                 continue
-            following = self.follow(buffer, end) if end < size else 0
-            is_begin = place in begins
-            if (following is None and not is_begin) or (following or 0) < least:
-                continue
-            is_frame = self.is_frame(buffer, place, end)
-            if is_frame and following:
+            following = self.follow(buffer, end)
+            if (following or 0) >= least:
+                first.setdefault(self._judged(buffer, place, end, following, is_begin=place in begins), place)
+            if Found.CHAIN in first:
                 return Found.CHAIN, place
-            if is_frame and following is not None:
-                single = place if single is None else single
-            elif is_begin and (is_frame or following is not None):
-                begun = place if begun is None else begun
-        if single is not None:
-            return Found.SINGLE, single
-        if begun is not None:
-            return Found.SINGLE, begun
-        if opened is not None:
-            return Found.OPEN, opened
-        return Found.NOTHING, size
+        best = next(each for each in (Found.SINGLE, Found.BEGUN, Found.OPEN, Found.NOTHING) if each in first)
+        return Found.SINGLE if best is Found.BEGUN else best, first[best]
+
+    def _judged(self, buffer: bytes, at: int, end: int, following: int | None, *, is_begin: bool) -> Found:
+        """Returns what a whole frame is, by the number of headers after it."""
+        if following is None and not is_begin:
+            return Found.NOTHING
+        is_frame = self.is_frame(buffer, at, end)
+        if is_frame and following is not None:
+            return Found.CHAIN if following else Found.SINGLE
+        return Found.BEGUN if is_begin and (is_frame or following is not None) else Found.NOTHING
+
+
+def _frames_from(buffer: bytes, at: int, accepts: Accepts) -> Iterator[tuple[int, int]]:
+    """Yields where frames may start from an offset on, and where they would end."""
+    for hit in _STARTS.finditer(buffer, at):
+        end = frame_end(buffer, hit.start())
+        if end is not None and accepts(MESSAGE_TYPES[buffer[hit.start() + HEADER_SIZE - 1]]):
+            yield hit.start(), end
+
+
+def _is_safe(buffer: bytes, at: int, end: int, begins: Sequence[int]) -> bool:
+    """Returns whether no packet begins within the data of a command, which may contain other frames."""
+    return not (_carries_data(buffer, at) and any(at < start < end for start in begins))
+
+
+def _carries_data(buffer: bytes, at: int) -> bool:
+    """Returns whether the header at an offset is of a system command with data, which may be any bytes."""
+    code, number = buffer[at + HEADER_SIZE - 1 : at + HEADER_SIZE], buffer[at + HEADER_SIZE : at + HEADER_SIZE + 1]
+    return code in _SYSTEM and number in _WITH_DATA

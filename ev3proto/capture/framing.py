@@ -235,46 +235,60 @@ class Cutter:
         return [piece]
 
     def _cut(self, *, is_last: bool = False) -> list[StreamPart]:
-        buffer, at = self._buffer.pending, 0
-        found: list[StreamPart] = []
-        if self._rest and buffer:
-            at = min(self._rest, len(buffer))
-            found.append(self._piece(PartKind.LOST, 0, at, self._reason))
-            self._rest -= at
-            self._in_step = not self._rest
-        if len(buffer) < self._next_try and not is_last and not self._ends_with_frame():
-            return found
-        self._next_try = 0
+        buffer, found = self._buffer.pending, list[StreamPart]()
+        at = self._take_rest(found) if self._rest and buffer else 0
+        if len(buffer) >= self._next_try or is_last or self._ends_with_frame():
+            self._next_try = 0
+            at = self._take_parts(buffer, at, found, is_last=is_last)
+        if at:
+            self._marks = [(max(start - at, 0), number) for start, number, stop in self._spans() if stop > at]
+            self._buffer.skip(at)
+        return found
+
+    def _take_rest(self, found: list[StreamPart]) -> int:
+        """Adds the bytes of a frame with a gap. Returns the offset after them."""
+        at = min(self._rest, len(self._buffer))
+        found.append(self._piece(PartKind.LOST, 0, at, self._reason))
+        self._rest -= at
+        self._in_step = not self._rest
+        return at
+
+    def _take_parts(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> int:
+        """Adds the pieces from an offset on. Returns the offset after them."""
         while at < len(buffer):
             kind, end = self._next(buffer, at, is_last)
             if kind is PartKind.LOST:
-                first, least = at, 1
-                if self._in_step:
-                    # If there can be no gap, this is the sender's fault: the packet is complete.
-                    first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
-                reason = self._lost(at)
-                end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
-                if end > at:
-                    found.append(self._piece(kind, at, end, reason))
-                    self._after_text = None
-                at = end
+                at, waits = self._take_lost(buffer, at, found, is_last=is_last)
                 if waits:
                     break
-                continue
-            if end > len(buffer):
+            elif end > len(buffer):
                 break
-            found.append(self._piece(kind, at, end))
-            if kind is PartKind.FRAME or kind in _TEXTS:
-                self._in_step, self._reason = True, ""
-                self._trials = max(self._trials - 1, 0) if kind is PartKind.FRAME else 0
-            if kind is not PartKind.TEXT_END:
-                self._after_text = kind if kind in _TEXTS else None
-            at = end
-        if at == 0:
-            return found
-        self._marks = [(max(start - at, 0), number) for start, number, stop in self._spans() if stop > at]
-        self._buffer.skip(at)
-        return found
+            else:
+                found.append(self._piece(kind, at, end))
+                self._learn(kind)
+                at = end
+        return at
+
+    def _take_lost(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> tuple[int, bool]:
+        """Adds the bytes to the next frame. Returns the offset after them, and whether more bytes are needed."""
+        first, least = at, 1
+        if self._in_step:
+            # If there can be no gap, this is the sender's fault: the packet is complete.
+            first, least = at + 1, 1 if self._may_gap else LENGTH_FIELD if at else HEADER_SIZE
+        reason = self._lost(at)
+        end, waits = self._look_on(buffer, first, -1 if is_last else len(buffer) - least)
+        if end > at:
+            found.append(self._piece(PartKind.LOST, at, end, reason))
+            self._after_text = None
+        return end, waits
+
+    def _learn(self, kind: PartKind) -> None:
+        """Learns from a piece whether the stream is in step, and after which text it is."""
+        if kind is PartKind.FRAME or kind in _TEXTS:
+            self._in_step, self._reason = True, ""
+            self._trials = max(self._trials - 1, 0) if kind is PartKind.FRAME else 0
+        if kind is not PartKind.TEXT_END:
+            self._after_text = kind if kind in _TEXTS else None
 
     def _drop(self) -> None:
         """Removes all pending bytes."""
@@ -343,17 +357,29 @@ class Cutter:
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end
-        # A gap is between two packets; the next frame begins there or later.
-        inside = (
-            at + 1 if self._trials or not is_frame else next((start for start, _ in self._marks if start > at), end)
-        )
-        found, place = finder.next_step(buffer, inside, self._begins(), self.accepts)
+        return self._judge_by_next(buffer, at, end, follows, is_frame=is_frame, is_last=is_last)
+
+    def _judge_by_next(
+        self, buffer: bytes, at: int, end: int, follows: int, *, is_frame: bool, is_last: bool
+    ) -> tuple[PartKind, int]:
+        """Returns the piece at the offset of an apparent frame, by the frame that may start inside of it."""
+        inside = self._after_gap(at, end, is_frame)
+        found, place = self._finder.next_step(buffer, inside, self._begins(), self.accepts)
         if place < end and found in (Found.SINGLE, Found.CHAIN):
             return PartKind.LOST, end
-        is_split = any(at < start < end for start, _ in self._marks)
-        waits = follows == 0 and is_split and not is_frame
-        waits |= (not follows or (follows == 1 and not is_frame)) and place < end and found is Found.OPEN
+        # A header after a valid frame confirms it, two do after another.
+        is_open = place < end and found is Found.OPEN and follows <= (not is_frame)
+        waits = is_open or (not follows and not is_frame and self._is_split(at, end))
         return PartKind.FRAME, len(buffer) + 1 if waits and not is_last else end
+
+    def _after_gap(self, at: int, end: int, is_frame: bool) -> int:
+        """Returns the first offset after a gap in an apparent frame: it is between two packets."""
+        if self._trials or not is_frame:
+            return at + 1
+        return next((start for start, _ in self._marks if start > at), end)
+
+    def _is_split(self, at: int, end: int) -> bool:
+        return any(at < start < end for start, _ in self._marks)
 
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
         """Returns whether the apparent start of a frame is misleading."""

@@ -27,9 +27,11 @@ class Domain:
         is_documented: Whether the tables limit the numbers; False if only the type does.
         has_names: Whether the numbers have names.
         text: The text: `0 to 100 %`, `-127 to 127`, `0 LED_BLACK, 1 LED_GREEN, ...`.
+        choice: The same for use after "must be" or "use": `0 to 100 %`, `one of 0 LED_BLACK, 1 LED_GREEN, ...`.
+        outside: What is said after another number: ` %, outside of 0 to 100 %`.
     """
 
-    __slots__ = ("has_names", "is_documented", "mask", "singles", "spans", "text")
+    __slots__ = ("choice", "has_names", "is_documented", "mask", "outside", "singles", "spans", "text")
 
     def __init__(self, parameter: Parameter) -> None:
         self.singles = frozenset(parameter.special)
@@ -58,11 +60,10 @@ class Domain:
             self.spans = ((low, high),)
             self.is_documented = False
             self.text = f'{low} to {high} ({nan} means "not a number")'
-
-    @property
-    def choice(self) -> str:
-        """The legal values, for use after "must be" or "use": `0 to 100 %`, `one of 0 LED_BLACK, 1 LED_GREEN, ...`."""
-        return f"one of {self.text}" if self.has_names else self.text
+        self.choice, unit = self.text, f" {parameter.unit}" if parameter.unit else ""
+        self.outside = f"{unit}, outside of {self.text}"
+        if self.has_names and parameter.enum is not None:
+            self.choice, self.outside = f"one of {self.text}", f", which is not in {parameter.enum.name}"
 
     def covers(self, value: float) -> bool:
         """Returns whether a number is legal."""

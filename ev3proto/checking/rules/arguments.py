@@ -95,12 +95,10 @@ def _illegal(
         message = f"{parameter.name} is {value}, the bit mask of {ports}, but it takes the number of one port"
         advice = ", ".join(f"{LETTERS[letter]} for {letter}" for letter in ports.split("+"))
         return operation.finding_at(codes.OUT_OF_RANGE, argument, message, f"use {advice}")
-    if parameter.enum is not None and domain.has_names:
-        code, outside = codes.NO_MEMBER, f", which is not in {parameter.enum.name}"
-    else:
-        unit = f" {parameter.unit}" if parameter.unit else ""
-        code, outside = codes.OUT_OF_RANGE, f"{unit}, outside of {domain.text}"
-    return operation.finding_at(code, argument, f"{argument.name} is {value}{outside}{aside}", _value_help(known))
+    code = codes.NO_MEMBER if domain.has_names else codes.OUT_OF_RANGE
+    return operation.finding_at(
+        code, argument, f"{argument.name} is {value}{domain.outside}{aside}", f"use {domain.choice}"
+    )
 
 
 def _refused(operation: CheckedOperation, argument: Argument, value: int, known: ParameterFacts) -> Finding | None:

@@ -31,8 +31,9 @@ def check_devices(context: CheckContext, shared: list[tuple[CheckedOperation, Fo
     if not context.is_whole:
         return
     if not context.effects.isdisjoint((Effect.STARTS_MOVE, Effect.STARTS_MOTORS)):
-        yield from _reads_after_moves(context.operations)
-        yield from _other_drives(context.operations)
+        operations = [(operation, _motors(operation)) for operation in context.operations]
+        yield from _reads_after_moves(operations)
+        yield from _other_drives(operations)
     if Effect.AWAITS_SOUND in context.effects:
         yield from _waits_for_files(context.operations)
     if any(operation.name in _LARGER for operation, _ in shared):
@@ -41,7 +42,10 @@ def check_devices(context: CheckContext, shared: list[tuple[CheckedOperation, Fo
 
 def _motors(operation: CheckedOperation) -> list[Port] | None:
     """Returns the motor ports of an operation; None if they are not known."""
-    known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
+    roles = [argument.parameter.role for argument in operation.arguments]
+    if Role.MOTORS not in roles and Role.MOTOR not in roles:
+        return None
+    known = dict(zip(roles, map(whole_number, operation.arguments), strict=True))
     layer, mask, number = (known.get(role) for role in (Role.LAYER, Role.MOTORS, Role.MOTOR))
     if layer is None or (mask is None and number is None):
         return None
@@ -54,10 +58,9 @@ def _forget(found: dict[Port, CheckedOperation], ports: list[Port] | None) -> No
         found.pop(port, None)
 
 
-def _reads_after_moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+def _reads_after_moves(operations: list[tuple[CheckedOperation, list[Port] | None]]) -> Iterator[Finding]:
     moved: dict[Port, CheckedOperation] = {}
-    for operation in operations:
-        ports = _motors(operation)
+    for operation, ports in operations:
         if operation.has(Effect.STARTS_MOVE):
             moved.update(dict.fromkeys(ports or (), operation))
         elif operation.name == "OUTPUT_READ":
@@ -77,11 +80,10 @@ def _drives(operation: CheckedOperation) -> bool:
     return any(map(operation.has, (Effect.STOPS_MOTORS, Effect.SETS_MOTORS, Effect.RUNS_MOTORS)))
 
 
-def _other_drives(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+def _other_drives(operations: list[tuple[CheckedOperation, list[Port] | None]]) -> Iterator[Finding]:
     chosen: dict[Port, CheckedOperation] = {}
     running: dict[Port, CheckedOperation] = {}
-    for operation in operations:
-        ports = _motors(operation)
+    for operation, ports in operations:
         if operation.name in _DRIVES:
             others = [running[port] for port in ports or () if port in running and running[port].name != operation.name]
             for other in others[:1]:

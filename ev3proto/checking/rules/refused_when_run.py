@@ -21,8 +21,9 @@ def check_failures(context: CheckContext) -> Iterator[Finding]:
     if context.has_jumps:
         # The order is unknown.
         made = [role for operation in context.operations for role in _made_by(operation)]
+    may_fail = context.dialect == _OFFICIAL and Effect.FAILS in context.effects
     for operation in context.operations:
-        if context.dialect == _OFFICIAL and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
+        if may_fail and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
             yield operation.finding(
                 codes.FAILS,
                 f"{operation.name} ends the command with an error on every brick: {_reason(operation)}",

@@ -230,7 +230,7 @@ def _presentation(parameter: Parameter) -> dict[Any, object]:
 
 
 def _numbers(parameter: Parameter) -> dict[Any, object]:
-    """Returns which numbers are legal, and what is said of others."""
+    """Returns which numbers are legal, and what `ev3proto check` says of others."""
     domain = domain_of(parameter)
     if domain is None:
         return {"any": True} if parameter.type in RANGES else {}
@@ -238,7 +238,9 @@ def _numbers(parameter: Parameter) -> dict[Any, object]:
     return {
         "range": _range(parameter, domain),
         "is_ranged": True if parameter.range is not None and parameter.enum is not None else None,
-        "outside": _outside(parameter, domain) if is_checked else None,
+        "outside": Table([domain.outside, (NO_MEMBER if domain.has_names else OUT_OF_RANGE).code])
+        if is_checked
+        else None,
     }
 
 
@@ -260,14 +262,6 @@ def _contents(parameter: Parameter) -> dict[Any, object]:
         "elements": DIRECTIONS[parameter.elements] if parameter.counts else None,
         "validated": None if validated is None else TYPES[validated],
     }
-
-
-def _outside(parameter: Parameter, domain: Domain) -> Table:
-    """Returns what `ev3proto check` says of a number that is not in the tables, and the code of that."""
-    if parameter.enum is not None and domain.has_names:
-        return Table([f", which is not in {parameter.enum.name}", NO_MEMBER.code])
-    unit = f" {parameter.unit}" if parameter.unit else ""
-    return Table([f"{unit}, outside of {domain.text}", OUT_OF_RANGE.code])
 
 
 def _type(parameter: Parameter) -> Name:

@@ -22,28 +22,34 @@ import { view } from "./view.js";
  */
 /** @typedef {{kind: "" | "takes" | "but" | "refuses", text: string}} Verdict */
 /** @typedef {{summary: string, verdict: Verdict, blocks: Block[], accepted: number, places: string[]}} Findings */
-/** @typedef {{count: number, rows: string[][]}} Dialogues */
 /**
- * @typedef {object} Answer  see Reading.answer in bridge/reading.py
+ * @typedef {object} Page  some frames of an input, see Pages.page in bridge/pages.py
+ * @property {Row[]} lines
+ * @property {Record<number, string>} frames
+ * @property {string[][]} rows  dialogues
+ * @property {{first: number, next: number, begin: number, end: number}} page
+ */
+/**
+ * @typedef {object} Whole  see Input.answer in bridge/reading.py
  * @property {string} error
  * @property {number} count
  * @property {boolean} isProgram
- * @property {Row[]} lines
- * @property {Record<number, string>} frames
  * @property {Findings} findings
+ * @property {Record<number, string>} found
  * @property {boolean} isFixable
  * @property {Record<string, string>} made
- * @property {Dialogues} dialogues
+ * @property {number} dialogues
  */
+/** @typedef {Whole & Page} Answer  with the first page */
 
-/** Shows an answer. @param {Answer} answer */
-export const show = (answer) => {
+/** Shows an answer, or what there is of it so far. @type {import("./reading.js").Show} */
+export const show = (answer, isMore, isWhole) => {
   change({ error: answer.error, canFix: answer.isFixable, canFilter: state().canFilter || answer.count > 1, isStale: false });
-  view(answer, (code) => source().ask("explain", code), (frame) => source().ask("about", frame));
+  view(answer, isMore);
   showMade(answer, (form) => source().ask("made", form));
-  showDialogues(answer.dialogues);
-  offerRemedies();
+  showDialogues(answer.dialogues, isWhole);
+  if (isWhole) offerRemedies();
 };
 
 /** Takes away what belongs to an older input. */
-export const clear = () => show(NOTHING);
+export const clear = () => show(NOTHING, false, true);

@@ -32,7 +32,7 @@ const FRAME = "0x|08:00|01:00|00|05:00|81:01:61|";
 export const WARM_UP = [
   ["look", `vmthread MAIN\n{\n  UI_WRITE(LED, LED_RED)\n}\n`],
   ["look", `# A log\n09:12:31.5 Sent ${FRAME}\n09:12:31.6 Recv 0x|07:00|01:00|02|66:66:F6:40|\n`],
-  ["all_dialogues"],
+  ["page", 0],
   ["look", "SOUND(TONE, 1, 440, 1000)"],
   ["look", FRAME],
   ["about", "0e002a0080000094010182b80182e803"],
@@ -102,6 +102,8 @@ const startSnapshot = async (load, site, tell) => {
   tell(others + size(SNAPSHOT));
   const snapshot = inflated(await fetched(SNAPSHOT, site), (missing) => tell(others + missing));
   const python = await load({ ...settings(site), stdLibURL: new URL(NO_MODULES, site).href, _loadSnapshot: snapshot });
+  // It would be kept as long as the page, and is as large as Python's memory.
+  Reflect.deleteProperty(/** @type {any} */ (python)._api.config, "_loadSnapshot");
   const bridge = python.pyimport("bridge");
   const packages = fetched(MODULES, site).then(async (found) => {
     python.FS.writeFile(LIBRARY, new Uint8Array(await found.arrayBuffer()));

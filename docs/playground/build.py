@@ -30,6 +30,8 @@ HERE = Path(__file__).parent
 CAPTURES = HERE.parents[1] / "captures"
 LESSON = CAPTURES / "lesson-02.log"
 CONFORMANCE = CAPTURES / "conformance.pcapng"
+READ = tuple(CAPTURES / f"{name}.pcapng" for name in ("wifi", "usb", "bluetooth"))
+"""Captures that are read before the snapshot is taken."""
 WITHOUT = "no_playground"
 """The tag with which Sphinx builds everything except the playground."""
 
@@ -108,9 +110,8 @@ def build(site: Path, npm: Path) -> None:
 def _make_snapshot(pyodide: Path, site: Path) -> None:
     """Has Python start in node, and keeps its memory."""
     command = [shutil.which("node") or "node", str(HERE / "make_snapshot.mjs"), str(pyodide)]
-    done = subprocess.run(
-        [*command, str(site / "python.zip"), str(site / "snapshot.bin")], capture_output=True, text=True, check=False
-    )
+    command += [str(site / "python.zip"), str(site / "snapshot.bin"), *map(str, READ)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         said = " ".join(done.stderr.split())[-600:]
         raise ExtensionError(f"the snapshot of Python cannot be made: {said}")

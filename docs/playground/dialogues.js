@@ -1,38 +1,49 @@
-// The dialogues of a log or a capture: a table, and the timeline, which is drawn on request.
+// The dialogues of a log or a capture: a table of those on the page, and the timeline of all, which is drawn on request.
 
 import { find, inside, make } from "./elements.js";
-import { source } from "./reading.js";
+import { counted, source } from "./reading.js";
 
 const table = find("dialogues", HTMLDetailsElement), timeline = find("timeline", HTMLDetailsElement);
 
-/** @param {string[][]} found */
-const fill = (found) => inside(table, "tbody", HTMLTableSectionElement).replaceChildren(...found.map((cells) => {
+/** Shows the dialogues of a page. @param {string[][]} rows */
+export const showRows = (rows) => inside(table, "tbody", HTMLTableSectionElement).replaceChildren(...rows.map((cells) => {
   const row = make("tr");
   row.append(...cells.map((each) => make("td", each)));
   return row;
 }));
 
-/** Shows the dialogues of an answer. @param {import("./answer.js").Dialogues} dialogues */
-export const showDialogues = ({ count, rows }) => {
-  table.hidden = timeline.hidden = !count;
+/** Shows how many dialogues an input has, and the timeline once it is read. @param {number} count @param {boolean} isWhole */
+export const showDialogues = (count, isWhole) => {
+  table.hidden = !count;
+  timeline.hidden = !count || !isWhole;
   inside(table, "summary", HTMLElement).textContent = `Dialogues (${count.toLocaleString("en")})`;
-  fill(rows);
-  const fillAll = async () => {
-    if (table.open && rows.length < count) fill(await source().ask("all_dialogues"));
-  };
-  table.ontoggle = fillAll;
-  fillAll();
   showTimeline();
 };
 
+let turn = 0;
+
 /** Draws the timeline, if it is open. Vega interprets its expressions: the page's policy forbids eval. */
 const showTimeline = async () => {
-  const place = inside(timeline, "div", HTMLDivElement);
+  const place = inside(timeline, "div", HTMLDivElement), mine = ++turn;
   place.replaceChildren();
   if (!timeline.open || timeline.hidden) return;
+  const bar = make("progress"), said = make("span", "Reading …"), row = make("p", "", "row");
+  bar.max = 1;
+  bar.setAttribute("aria-label", "Timeline");
+  row.append(bar, said);
+  place.append(row);
+  /** @type {string | null} */
+  const chart = await source().follow(({ part, count }) => {
+    bar.value = part;
+    said.textContent = `Reading: ${counted(count)}`;
+  }, "timeline");
+  if (mine !== turn) return;
+  bar.removeAttribute("value");
+  said.textContent = "Drawing …";
   const { drawTimeline } = await import("./timeline.js");
-  const chart = await source().ask("timeline");
-  if (chart) await drawTimeline(chart, place);
-  else place.textContent = "Nothing to draw.";
+  const drawn = make("div");
+  if (chart) await drawTimeline(JSON.parse(chart), drawn, place);
+  else drawn.textContent = "Nothing to draw.";
+  if (mine === turn) place.replaceChildren(drawn);
 };
 timeline.ontoggle = showTimeline;

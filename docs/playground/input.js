@@ -57,21 +57,37 @@ const open = async (opened) => {
     change({ error: `${opened.name} is larger than ${MOST_FILE >> 20} MiB; use ev3proto on the command line.` });
     return;
   }
-  const bytes = new Uint8Array(await opened.arrayBuffer());
-  const text = new TextDecoder().decode(bytes);
-  if (bytes.length <= MOST_EDITED && !/[\0-\x08\ufffd]/.test(text)) {
-    replace(text.replaceAll("\r\n", "\n"));
-    return;
+  if (opened.size <= MOST_EDITED) {
+    const text = await opened.text();
+    if (!/[\0-\x08\ufffd]/.test(text)) {
+      replace(text.replaceAll("\r\n", "\n"));
+      return;
+    }
   }
   if (input.value) replace("");
+  latest = opened;
   file.value = "";
-  latest = { name: opened.name, bytes };
   change({ file: opened.name, note: "", filter: "", canFilter: false });
   filter.value = "";
   input.placeholder = opened.name;
   find("start").hidden = true;
   put("");
-  look(bytes.length, false, "open_file", opened.name, bytes, "");
+  await readFile("");
+};
+
+/** The file that is read in place of the input. @type {File | null} */
+let latest = null;
+
+/** Reads the file. @param {string} expression  the filter */
+const readFile = async (expression) => {
+  const opened = latest;
+  if (!opened) return;
+  try {
+    const bytes = new Uint8Array(await opened.arrayBuffer());
+    if (opened === latest && state().file) look(bytes.length, false, "open_file", opened.name, bytes, expression);
+  } catch (error) {
+    change({ error: `${opened.name} cannot be read: ${error instanceof Error ? error.message : error}` });
+  }
 };
 file.onchange = () => open(file.files?.[0]);
 
@@ -99,12 +115,9 @@ document.addEventListener("paste", (event) => {
 
 // The filter: the same is read again, and only some frames are shown
 
-/** The file that is read, if it is not the input. */
-let latest = { name: "", bytes: new Uint8Array() };
-
 filter.onchange = () => {
   change({ filter: filter.value, note: "" });
-  if (state().file) look(latest.bytes.length, false, "open_file", latest.name, latest.bytes, filter.value);
+  if (state().file) readFile(filter.value);
   else look(input.value.length, false, "look", input.value, filter.value);
 };
 

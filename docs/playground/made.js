@@ -26,8 +26,9 @@ let chosen = "lesson";
  * @param {(form: string) => Promise<string>} make  makes a notation that is not in the answer
  */
 export const showMade = (answer, make) => {
-  made = { ...answer.made, ...derived(answer.made.lesson) };
   ask = make;
+  if (made.lesson === answer.made.lesson && Object.keys(answer.made).every((form) => made[form] !== undefined)) return;
+  made = { ...answer.made, ...derived(answer.made.lesson) };
   find("make").hidden = !answer.made.lesson;
   for (const tab of Object.keys(PANELS)) showIn(tab);
   choose(chosen);

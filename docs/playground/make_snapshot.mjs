@@ -1,13 +1,14 @@
-// Makes the snapshot of Python's memory: `node make_snapshot.mjs PYODIDE MODULES SNAPSHOT`, in the build.
-// PYODIDE is the folder of the npm package, MODULES the archive that packing.py makes.
+// Makes the snapshot of Python's memory: `node make_snapshot.mjs PYODIDE MODULES SNAPSHOT CAPTURE...`, in the build.
+// PYODIDE is the folder of the npm package, MODULES the archive that packing.py makes; each CAPTURE is read once, so that
+// the modules are there that read others.
 
-import { writeFileSync } from "node:fs";
-import { resolve } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
+import { basename, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 import { LOCK, WARM_UP } from "./boot.js";
 
-const [folder, modules, snapshot] = process.argv.slice(2).map((each) => resolve(each));
+const [folder, modules, snapshot, ...captures] = process.argv.slice(2).map((each) => resolve(each));
 const { loadPyodide } = await import(pathToFileURL(`${folder}/pyodide.mjs`).href);
 // The same modules give nearly the same snapshot; the columns of code in tracebacks would be a tenth of it.
 const env = { HOME: "/home/pyodide", PYTHONHASHSEED: "0", PYTHONNODEBUGRANGES: "1" };
@@ -16,6 +17,11 @@ const python = await loadPyodide({
 });
 const bridge = python.pyimport("bridge");
 for (const [call, ...given] of WARM_UP) bridge[call](...given);
+for (const capture of captures) {
+  const job = Number(bridge.start("open_file", basename(capture), new Uint8Array(readFileSync(capture))));
+  while (JSON.parse(bridge.go_on(job)).part !== undefined);
+}
+bridge.look("");
 bridge.destroy();
 python.runPython("import gc, linecache; linecache.clearcache(); gc.collect()");
 writeFileSync(snapshot, gzipSync(python.makeMemorySnapshot(), { level: 9 }));

@@ -7,8 +7,9 @@
 
 /** What is shown of no input. @type {import("./answer.js").Answer} */
 export const NOTHING = {
-  error: "", count: 0, isProgram: false, lines: [], frames: {}, isFixable: false, made: { lesson: "" },
-  findings: { summary: "", verdict: { kind: "", text: "" }, blocks: [], accepted: 0, places: [] }, dialogues: { count: 0, rows: [] },
+  error: "", count: 0, isProgram: false, isFixable: false, made: { lesson: "" }, dialogues: 0, found: {},
+  findings: { summary: "", verdict: { kind: "", text: "" }, blocks: [], accepted: 0, places: [] },
+  lines: [], frames: {}, rows: [], page: { first: 0, next: 0, begin: 1, end: 0 },
 };
 
 /** Bytes of a frame that are in the page at once. */

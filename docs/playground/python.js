@@ -42,9 +42,9 @@ export class Python {
   }
 
   /**
-   * Calls a function of bridge that publishes parts of its answer.
+   * Has bridge do something that takes long. Arrays of bytes are handed over: they are empty afterwards.
    *
-   * @param {(part: any) => void} hear
+   * @param {(part: any) => void} hear  takes reports of progress
    * @param {string} call
    * @param {unknown[]} given
    * @returns {Promise<any>}
@@ -58,7 +58,8 @@ export class Python {
     return new Promise((resolve, reject) => {
       const number = ++this.#count;
       this.#waiting.set(number, { resolve, reject, hear });
-      this.#worker.postMessage({ number, call, given, isFollowed: hear !== null });
+      const bytes = hear ? given.filter((each) => each instanceof Uint8Array) : [];
+      this.#worker.postMessage({ number, call, given, isFollowed: hear !== null }, bytes.map(({ buffer }) => buffer));
     });
   }
 

@@ -4,6 +4,7 @@ import { Python } from "./python.js";
 import { change, state } from "./state.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
+/** @typedef {(answer: Answer, isMore: boolean, isWhole: boolean) => void} Show  `isMore`: of the same input as the one before */
 
 /** Characters or bytes that the Python of the bricks reads itself, at once. */
 export const LITTLE = 4000;
@@ -16,7 +17,7 @@ const PAUSE = 400, SOON = 300, LATE = 1000;
  * @type {{
  *   home: Python | null, reader: Python | null, source: Python | null, busy: Python | null,
  *   turn: number, atHome: Promise<void>, current: Promise<void>,
- *   hear: (said: import("./python.js").Said) => void, show: (answer: Answer) => void, clear: () => void, restarted: () => void,
+ *   hear: (said: import("./python.js").Said) => void, show: Show, clear: () => void, restarted: () => void,
  * }}
  */
 const work = {
@@ -39,7 +40,7 @@ export const current = () => work.current;
  *
  * @param {object} takes
  * @param {(said: import("./python.js").Said) => void} takes.hear  what the Python of the bricks says by itself
- * @param {(answer: Answer) => void} takes.show  an answer, or what there is of it so far
+ * @param {Show} takes.show  an answer, or what there is of it so far
  * @param {() => void} takes.clear  that the old answer is wrong, and a new one will take a while
  * @param {() => void} takes.restarted  that the Python of the bricks was ended
  */
@@ -75,21 +76,25 @@ const theReader = () => (work.reader ??= new Python("reader", (said) => { if (sa
 /** @param {Python} python @param {number} mine @param {string} call @param {unknown[]} given */
 const readBy = async (python, mine, call, given) => {
   const isNow = () => mine === work.turn;
+  let isMore = false;
   const soon = setTimeout(() => { if (isNow()) change({ status: "Reading …" }); }, SOON);
   const late = setTimeout(() => { if (isNow()) change({ progress: { part: 0, count: 0 } }); }, LATE);
   /** @param {{answer?: Answer, part: number, count: number}} part */
   const hearPart = ({ answer, ...progress }) => {
     if (!isNow()) return;
     work.source = python;
-    if (answer) work.show(answer);
-    else if (state().progress) change({ progress });
+    if (answer) {
+      work.show(answer, isMore, false);
+      isMore = true;
+    }
+    if (state().progress) change({ progress });
   };
   work.busy = python;
   try {
     const answer = await python.follow(hearPart, call, ...given);
     if (isNow()) {
       work.source = python;
-      work.show(answer);
+      work.show(answer, isMore, true);
     }
   } catch (error) {
     change({ error: `ev3proto has a bug, please report it: ${error instanceof Error ? error.message : error}` });

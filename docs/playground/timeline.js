@@ -7,8 +7,8 @@ import { expressionInterpreter } from "./vega/vega-interpreter.js";
 /** The share of a narrow page that names get, and its limits, in pixels. */
 const NAMES = 0.36, LEAST_NAMES = 110, LEAST_ROOM = 120, NARROW = 700, SCROLLBAR = 40;
 
-/** Draws a chart as wide as a place. @param {any} chart @param {HTMLElement} place */
-export const drawTimeline = async (chart, place) => {
+/** Draws a chart into a box, as wide as a place, in its colours. @param {any} chart @param {HTMLElement} box @param {HTMLElement} place */
+export const drawTimeline = async (chart, box, place) => {
   const { vega, vegaLite } = /** @type {any} */ (globalThis);
   /** @param {string} name */
   const parameter = (name) => chart.params.find((/** @type {{name: string}} */ each) => each.name === name);
@@ -19,7 +19,7 @@ export const drawTimeline = async (chart, place) => {
   for (const each of chart.vconcat) each.width = parameter("room").value;
   const { spec } = vegaLite.compile({ ...chart, background: "transparent", config: { ...chart.config, ...colours(place) } });
   const flow = vega.parse(spec, null, { ast: true });
-  await new vega.View(flow, { renderer: "canvas", container: place, hover: true, expr: expressionInterpreter }).runAsync();
+  await new vega.View(flow, { renderer: "canvas", container: box, hover: true, expr: expressionInterpreter }).runAsync();
 };
 
 /** Returns the colours of the page for a chart, which are dark in the dark. @param {HTMLElement} place */

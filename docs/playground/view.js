@@ -6,7 +6,10 @@ import { showFindings } from "./findings.js";
 import { byteAt, lineOf, mark, unmark } from "./marks.js";
 import { colour } from "./paint.js";
 import { MOST_BYTES, NOTHING, partOf, rowAt, rowsByFrame, targetOf } from "./places.js";
-import { change } from "./state.js";
+import { showRows } from "./dialogues.js";
+import { showPager } from "./pager.js";
+import { source } from "./reading.js";
+import { change, state } from "./state.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./places.js").Target} Target */
@@ -37,35 +40,58 @@ const now = {
   isKept: false,
   frame: -1, start: 0, columns: columns(),
   about: UNKNOWN,
-  ask: /** @type {(frame: string) => Promise<About>} */ (async () => UNKNOWN),
 };
 
 /**
  * Shows an answer of Python.
  *
  * @param {Answer} answer
- * @param {import("./findings.js").Explain} explain
- * @param {(frame: string) => Promise<About>} ask  tells what a frame says, given in hex
+ * @param {boolean} isMore  whether it is about the same input as the one before: then the page stays, and what is chosen on it
  */
-export const view = (answer, explain, ask) => {
-  Object.assign(now, {
-    shown: answer, rows: rowsByFrame(answer.lines), marked: null, isKept: false, frame: -1, columns: columns(), about: UNKNOWN, ask,
-  });
-  readBox.hidden = !answer.lines.length;
+export const view = (answer, isMore) => {
+  const { lines, frames, rows, page, findings } = now.shown;
+  const isThere = isMore && (page.first > 0 || (lines.length === answer.lines.length && page.next > 0));
+  now.shown = isThere ? { ...answer, lines, frames, rows, page: page.first ? page : answer.page } : answer;
+  readBox.hidden = !now.shown.lines.length;
   find("count").textContent = answer.count > 1 ? `${answer.count.toLocaleString("en")} frames` : "";
-  change({ verdict: answer.findings.verdict, sentence: "", byte: "" });
+  change({ verdict: answer.findings.verdict });
+  if (!isMore || JSON.stringify(findings) !== JSON.stringify(answer.findings)) showFindings(answer.findings, (code) => source().ask("explain", code));
+  if (isThere) showPager(now.shown.page, answer.count, turnTo); else showPage();
+};
+
+/** Shows the page that is there now. */
+const showPage = () => {
+  const { lines, rows, page, count } = now.shown;
+  Object.assign(now, { rows: rowsByFrame(lines), marked: null, isKept: false, frame: -1, columns: columns(), about: UNKNOWN });
+  change({ sentence: "", byte: "" });
+  showPager(page, count, turnTo);
+  showRows(rows);
   showTree();
   showHeader();
-  showFindings(answer.findings, explain);
   fitDump();
-  const first = answer.lines.findIndex(([, frame]) => frame >= 0);
+  const first = lines.findIndex(([, frame]) => frame >= 0);
   // The first message is chosen for the keyboard, but a mark over all of it would say nothing.
-  now.kept = first < 0 ? null : targetOf(answer.lines, first);
+  now.kept = first < 0 ? null : targetOf(lines, first);
   if (now.kept) dump(now.kept.frame, 0);
 };
 
+/** Shows the page that has a frame. Returns whether it does. @param {number} frame */
+const turnTo = async (frame) => {
+  const python = source(), { findings } = now.shown;
+  /** @type {import("./answer.js").Page} */
+  const page = await python.ask("page", frame);
+  if (findings.blocks.length !== now.shown.findings.blocks.length && python !== source()) return false;
+  now.shown = { ...now.shown, ...page };
+  showPage();
+  treeBox.scrollTop = 0;
+  return true;
+};
+
 /** Returns the number of bytes of a frame. @param {number} frame */
-const sizeOf = (frame) => (now.shown.frames[frame]?.length ?? 0) / 2;
+const sizeOf = (frame) => hexOf(frame).length / 2;
+
+/** Returns a frame in hex: of this page, or one with findings. @param {number} frame */
+const hexOf = (frame) => now.shown.frames[frame] ?? now.shown.found[frame] ?? "";
 
 // The tree, and the header above it
 
@@ -121,20 +147,21 @@ const dump = (frame, at) => {
 
 const draw = () => {
   const { frame, start, shown, about } = now;
-  const hex = shown.frames[frame] ?? "", size = sizeOf(frame);
+  const hex = hexOf(frame), size = sizeOf(frame);
   const parts = (now.rows.get(frame) ?? []).map((row) => targetOf(shown.lines, row));
   const classes = classesOf(size, about.parts, parts);
   drawDump(bytesBox, { hex, start, end: Math.min(size, start + MOST_BYTES), columns: now.columns, classes });
   const same = Object.entries(shown.frames).filter(([number, other]) => Number(number) < frame && other === hex);
-  colour(shown.isProgram ? "" : hex, classes, same.length);
+  colour(shown.isProgram || shown.page.first ? "" : hex, classes, same.length);
 };
 
 /** Says what a frame means, as soon as Python has told. @param {number} frame */
 const tell = async (frame) => {
-  const { shown } = now;
-  if (shown.isProgram) return;
-  const about = await now.ask(shown.frames[frame] ?? "");
-  if (shown !== now.shown || frame !== now.frame) return;
+  if (now.shown.isProgram) return;
+  const hex = hexOf(frame);
+  /** @type {About} */
+  const about = await source().ask("about", hex);
+  if (frame !== now.frame || hex !== hexOf(frame)) return;
   now.about = about;
   change({ sentence: about.sentence });
   showHeader();
@@ -172,6 +199,14 @@ const keep = (target) => {
   scroll(treeBox, lineOf(target));
   scroll(bytesBox, byteAt(at));
   change({ byte: now.about.bytes[at] ?? "" });
+};
+
+/** Keeps a target marked, on its page. @param {Target} target */
+const open = async (target) => {
+  if (!(target.frame in now.shown.frames) && !await turnTo(target.frame)) return;
+  keep({ ...target, row: target.row < 0 && target.part === undefined ? lineAt(target.frame, target.offset) : target.row });
+  // A finding of a file may be far from its frame.
+  if (target.block !== undefined && state().file) lineOf(now.kept ?? target)?.scrollIntoView({ block: "nearest" });
 };
 
 /** How to find what an event is about: by the data of an element. @type {Record<string, (number: number) => Target>} */
@@ -233,7 +268,7 @@ for (const box of [bytesBox, headerBox, treeBox, findingsBox]) {
   box.addEventListener("click", (event) => {
     if (event.target instanceof Element && event.target.closest("a, summary, details")) return;
     const target = pointed(event);
-    if (target) keep(target);
+    if (target) open(target);
   });
 }
 

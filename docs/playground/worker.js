@@ -25,6 +25,24 @@ const carry = (frame) => say({ carry: frame });
 /** @param {string} news */
 const hear = (news) => say({ real: JSON.parse(news) });
 
+/**
+ * Does what takes long, step by step; other questions are answered between them. Returns the answer, null if it was given up.
+ *
+ * @param {import("./boot.js").Bridge} bridge
+ * @param {number} number
+ * @param {string} call
+ * @param {unknown[]} given
+ */
+const followed = async (bridge, number, call, given) => {
+  const job = bridge.start(call, ...given);
+  for (;;) {
+    const step = JSON.parse(bridge.go_on(Number(job)));
+    if (step === null || step.part === undefined) return step?.answer ?? null;
+    say({ number, part: step });
+    await new Promise((resolve) => { setTimeout(resolve); });
+  }
+};
+
 /** @typedef {{number: number, call: string, given: unknown[], isFollowed: boolean}} Question */
 /** @param {MessageEvent<Question & {line?: import("./boot.js").Line}>} event */
 onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
@@ -33,12 +51,10 @@ onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
     return;
   }
   const { bridge, packages } = await started;
-  /** @param {string} part */
-  const publish = (part) => say({ number, part: JSON.parse(part) });
-  const more = call === "connect" ? [carry, hear] : isFollowed ? [publish] : [];
+  const more = call === "connect" ? [carry, hear] : [];
   try {
     if (!isPrepared(call)) await packages;
-    say({ number, answer: JSON.parse(bridge[call](...given, ...more)) });
+    say({ number, answer: isFollowed ? await followed(bridge, number, call, given) : JSON.parse(bridge[call](...given, ...more)) });
   } catch (error) {
     say({ number, error: error instanceof Error ? error.message : String(error) });
   }

@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PLAYGROUND = ROOT / "docs" / "playground"
-FOLDER = ROOT / "build" / "npm"
+FOLDER = ROOT / "build" / "npm_checks"  # build/npm is the build of the page's: it has fewer packages
 DESCRIPTIONS = ("package.json", "package-lock.json")
 
 

@@ -10,6 +10,7 @@ import json
 import random
 import re
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,7 @@ from ev3proto.text.spans import plain_text, visible
 
 from .about import about
 from .completing import complete
-from .reading import MOST_SENT, Input, Publish
+from .reading import MOST_SENT, Input, Steps
 from .remedies import remedies
 from .virtual_brick import VirtualBrick
 
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
 __all__ = [
     "about",
     "act",
-    "all_dialogues",
     "as_assembly",
     "begin",
     "compare",
@@ -48,21 +48,22 @@ __all__ = [
     "files",
     "fix",
     "frames_of",
+    "go_on",
     "gone",
     "heard",
     "leave",
     "look",
     "made",
-    "open_file",
+    "page",
     "panel",
     "play",
     "record",
     "remedies",
     "sent",
+    "start",
     "stop_motors",
     "talk",
     "tick",
-    "timeline",
     "to_send",
     "turn",
     "watch",
@@ -84,65 +85,78 @@ def begin() -> None:
 # The input
 
 _now = Input()
+_numbers = count(1)
+_jobs: dict[int, Steps] = {}
+"""What takes long and has begun, by number."""
 
 
-def _nothing(_: str) -> None:
-    """Publishes nothing."""
-
-
-def look(text: str, expression: str = "", publish: Publish = _nothing) -> str:
-    """Reads what was typed or pasted.
+def look(text: str, expression: str = "") -> str:
+    """Reads what was typed or pasted, to its end.
 
     Args:
         text: The text.
         expression: A filter: which frames to show. Empty for all.
-        publish: Is called with JSON, as long as it takes: `part` and `count` of what was read, or an `answer` so far.
 
     Returns:
         The answer: see `Input.answer`.
     """
-    return _read(expression, publish, lambda made: made.type(text))
+    *_, last = _look(text, expression)
+    return json.dumps(last["answer"])
 
 
-def _read(expression: str, publish: Publish, read: Callable[[Input], None]) -> str:
+def start(name: str, *given: Any) -> str:
+    """Begins something that takes long: "look", as `look` reads; "open_file", with name and data of a file; "timeline".
+
+    What was begun before is given up, unless it reads the same input.
+
+    Returns:
+        The number of the job, for `go_on`.
+    """
+    if name != "timeline":
+        _jobs.clear()
+    number = next(_numbers)
+    _jobs[number] = _LONG[name](*given)
+    return json.dumps(number)
+
+
+def go_on(number: int) -> str:
+    """Does the next step of a job. Returns a report, as JSON: see `Steps`; null if the job was given up."""
+    return json.dumps(next(_jobs[number]) if number in _jobs else None)
+
+
+def _look(text: str, expression: str = "") -> Steps:
+    return _read(expression, lambda made: made.type(text))
+
+
+def _open_file(name: str, data: Any, expression: str = "") -> Steps:
+    """Reads a file; data is bytes or a JavaScript array."""
+    is_plain = _FILE_NAME.fullmatch(name) is not None
+    path = Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
+    path.write_bytes(_bytes(data))
+    return _read(expression, lambda made: made.open(path))
+
+
+def _read(expression: str, read: Callable[[Input], Steps]) -> Steps:
     global _now
     try:
         wanted = compile_filter(expression) if expression.strip() else None
     except FilterError as error:
-        return json.dumps(Input().answer() | {"error": f"the filter: {error}\n"})
-    _now = Input(publish, wanted)
-    read(_now)
-    return json.dumps(_now.answer())
+        return iter([{"answer": Input().answer() | {"error": f"the filter: {error}\n"}}])
+    _now = Input(wanted)
+    return read(_now)
 
 
-def open_file(name: str, data: Any, expression: str = "", publish: Publish = _nothing) -> str:
-    """Reads a file, as `look` reads a text.
+_LONG: dict[str, Callable[..., Steps]] = {"look": _look, "open_file": _open_file, "timeline": lambda: _now.timeline()}
 
-    Args:
-        name: The name of the file, which is shown.
-        data: The contents, as bytes or as a JavaScript array.
-        expression: As for `look`.
-        publish: As for `look`.
-    """
-    is_plain = _FILE_NAME.fullmatch(name) is not None
-    path = Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
-    path.write_bytes(_bytes(data))
-    return _read(expression, publish, lambda made: made.open(path))
+
+def page(number: int) -> str:
+    """Returns the page that has a frame, by its number: see `Pages.page`."""
+    return json.dumps(_now.page(number))
 
 
 def made(form: str) -> str:
     """Returns the frames in a notation: `c`, `python`."""
     return json.dumps(_now.made(form))
-
-
-def all_dialogues() -> str:
-    """Returns all dialogues that are shown."""
-    return json.dumps(_now.all_dialogue_rows())
-
-
-def timeline() -> str:
-    """Returns the timeline of the input as a Vega-Lite specification with its data; null if it is empty."""
-    return _now.timeline()
 
 
 def explain(code: str) -> str:
@@ -169,9 +183,8 @@ def as_assembly(frame: str) -> str:
 
 def frames_of(operations: str) -> str:
     """Returns the frames that operations make, as JSON: `text` in the lesson's notation, and `error`, sentences."""
-    made = Input()
-    made.type(f"{operations}\n")
-    answer = made.answer()
+    *_, last = Input().type(f"{operations}\n")
+    answer = last["answer"]
     return json.dumps({"text": answer["made"]["lesson"], "error": answer["error"]})
 
 

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from ev3proto.capture.dialogues import RequestReply, dialogues
-from ev3proto.capture.filter import Filter
-from ev3proto.capture.record import Announcement, Place, Record, Skipped, elapsed
-from ev3proto.capture.timeline import Form, collect, render
+from ev3proto.capture.filter import Choosing, Filter
+from ev3proto.capture.record import Announcement, Place, Record, Skipped
+from ev3proto.capture.timeline import Form, Timeline, collect_in_steps, render
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import DecodeError
 from ev3proto.messages import Message
 from ev3proto.program import assemble, check_program
 from ev3proto.program import parse as parse_program
-from ev3proto.program.listing import listing
 from ev3proto.reading.assembling import assembled
 from ev3proto.reading.faults import Faults
 from ev3proto.reading.given import Given, given_word
 from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, SourceKind
-from ev3proto.reading.lines import announcement_line, message_lines, record_seen
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
 from ev3proto.schema.frame import parse
@@ -31,23 +27,24 @@ from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.phrases import LEGO, command_spans, reply_spans
-from ev3proto.text.spans import plain_text, visible
+from ev3proto.text.phrases import LEGO
+from ev3proto.text.spans import visible
 
 from .findings import Findings
+from .pages import Pages
 from .remedies import with_buttons
-from .rows import Rows
 
 MOST_SHOWN = 200_000
-"""Maximum characters of each text of an answer."""
+"""Maximum characters of the frames in a notation."""
 
 MOST_SENT = 100
 """Maximum number of frames sent to a brick at once."""
 
-MOST_DIALOGUES = 1000
-
 FEW = 200
-"""Frames whose notations, and dialogues, are in the first answer; those of more are rendered when they are opened."""
+"""Frames whose notations are in the answer; those of more are rendered when they are opened."""
+
+MOST_MARKS = 4000
+"""Maximum number of marks in the timeline, which the page draws at once; more are counted in bins of time."""
 
 MOST_COMPLAINTS = 12
 """Maximum lines of errors."""
@@ -58,8 +55,11 @@ MOST_WARNINGS = 20
 TYPED = "input"
 """The name of what was typed, in places."""
 
-OFTEN, SOON, LATE = 0.25, 1.0, 1.5
-"""Seconds between two reports of progress; until a first part of the answer if the tree is full, and if it is not."""
+OFTEN = 0.2
+"""Seconds between two steps of what takes long."""
+
+FIRST = 0.3
+"""Seconds until a first part of the answer; the next ones come after twice the time of the one before."""
 
 FEW_CHARACTERS = 4_000
 """A text up to this length is fixed to find out whether that changes it."""
@@ -72,20 +72,17 @@ FORMS: dict[str, Callable[[Message, str], str]] = {
     "operations": lambda message, _: "\n".join(list(assembly(Exchange(message), "", LEGO))[1:]),
 }
 
-Publish = Callable[[str], object]
-"""Takes a report of progress, or a part of the answer, as JSON."""
+Steps = Iterator[dict[str, Any]]
+"""What takes long, step by step: `part` and `count` of what was read so far, or an `answer`; the last one is final."""
 
 
 class Input:
     """One input, and what is shown of it."""
 
-    def __init__(self, publish: Publish = lambda _: None, wanted: Filter | None = None) -> None:
+    def __init__(self, wanted: Filter | None = None) -> None:
         self._wanted = wanted
         self.image: bytes | None = None
-        self._publish = publish
-        self._rows = Rows(MOST_SHOWN)
-        self._number = -1
-        self._shown: dict[int, bytes] = {}
+        self._pages = Pages()
         self._findings = Findings()
         self._faults = Faults()
         self._problems: list[Problem] = []
@@ -99,41 +96,47 @@ class Input:
         self._lesson_size = 0
         self._commands: list[bytes] = []
         self._command_count = 0
-        self._pairs: list[RequestReply] = []
-        self._pair_count = 0
-        self._start_ns = 0
         self._reading = Reading([], Options())
         self._done: Callable[[], float] = lambda: self._reading.progress or 0.0
-        self._begun = self._said = time.monotonic()
-        self._next = LATE
 
     # Reading
 
-    def type(self, text: str) -> None:
+    def type(self, text: str) -> Steps:
         """Reads what was typed or pasted."""
-        if not text.strip():
-            return
         if OBJECT.search(text):
             self._program_of(text, TYPED)
-            return
-        self._typed = text
-        # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
-        is_long = "\n" in text.strip() or is_assembly(text.strip())
-        self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
-        self._read(Given(TYPED, lines=self._counted(text)) if is_long else given_word(text.strip()))
+        elif text.strip():
+            self._typed = text
+            # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
+            is_long = "\n" in text.strip() or is_assembly(text.strip())
+            self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
+            yield from self._read(Given(TYPED, lines=self._counted(text)) if is_long else given_word(text.strip()))
+        yield {"answer": self.answer()}
 
-    def open(self, path: Path) -> None:
+    def open(self, path: Path) -> Steps:
         """Reads a file."""
         self._name = path.name
         self._again = lambda: Given(path.name, path, lambda: path.open("rb"))
-        self._read(self._again())
+        yield from self._read(self._again())
+        yield {"answer": self.answer()}
 
-    def _read(self, given: Given) -> None:
-        self._reading = Reading([given], Options(raises=False, filter=self._wanted))
-        for pair in dialogues(self._records(self._reading.events())):
-            self._pair_count += 1
-            if len(self._pairs) < MOST_DIALOGUES:
-                self._pairs.append(pair)
+    def _read(self, given: Given) -> Steps:
+        """Reads, and tells now and then how far it is and what was found."""
+        self._reading = Reading([given], Options(raises=False))
+        begun = said = time.monotonic()
+        due = FIRST
+        for event in self._matching():
+            if event is not None:
+                self._take(event)
+            now = time.monotonic()
+            if now - said < OFTEN:
+                continue
+            step: dict[str, Any] = {"part": self._done(), "count": self._pages.frames}
+            if now - begun > due:
+                due *= 2
+                step["answer"] = self.answer(is_whole=False)
+            yield step
+            said = time.monotonic()
 
     def _counted(self, text: str) -> Iterator[str]:
         """Yields the lines of a text, and counts what was read of it."""
@@ -143,42 +146,56 @@ class Input:
             done += len(line)
             yield line
 
-    def _records(self, events: Iterator[Event]) -> Iterator[Record]:
-        """Takes everything, and yields the records that may be a dialogue."""
-        for event in events:
-            if isinstance(event, Record):
-                self._record(event)
-                yield event
-            elif isinstance(event, Announcement):
-                self._rows.add([announcement_line(event, self._start())])
-            elif isinstance(event, Image):
-                self._image(event.data, event.place.name)
-            elif isinstance(event, Source):
-                self._source(event)
-            elif isinstance(event, Problem):
-                self._problem(event)
+    def _matching(self) -> Iterator[Event | None]:
+        """Yields what is read; with a filter matching records, and None for others, so that time can be measured."""
+        if self._wanted is None:
+            yield from self._reading.events()
+            return
+        choosing, is_begun, is_empty = Choosing(self._wanted), False, True
+        for event in self._reading.events():
+            if not isinstance(event, Record):
+                yield None if isinstance(event, Announcement) else event
+                continue
+            if not is_begun:
+                is_begun = True
+                self._wanted.begin(self._reading.part.account.first_ns or event.time_ns)
+            for record in choosing.take(event):
+                is_empty = False
+                yield record
+            yield None
+        for record in choosing.end():
+            is_empty = False
+            yield record
+        if is_empty:
+            yield self._reading.part.nothing(is_filtered=True)
 
-    def _start(self) -> int:
-        self._start_ns = self._reading.part.account.first_ns or 0
-        return self._start_ns
+    def _take(self, event: Event) -> None:
+        """Takes something that was read."""
+        if isinstance(event, Record):
+            self._record(event)
+        elif isinstance(event, Announcement):
+            self._show(event)
+        elif isinstance(event, Image):
+            self._image(event)
+        elif isinstance(event, Source):
+            self._source(event)
+        elif isinstance(event, Problem):
+            self._problem(event)
+
+    def _show(self, item: Record | Announcement | Image) -> int:
+        """Takes what has lines. Returns its number."""
+        self._pages.start_ns = self._reading.part.account.first_ns or 0
+        return self._pages.add(item)
 
     def _record(self, record: Record) -> None:
-        written, start_ns = record.written, self._start()
-        self._show(record, start_ns)
+        written, number = record.written, self._show(record)
         fault = self._faults.of(record, is_text=written is not None)
         if fault is not None:
             self._problem(fault)
         if written is None:
-            self._take(record, str(record.place), 0, carrier=str(record.carrier))
+            self._frame(record, number, str(record.place), 0, carrier=str(record.carrier))
         elif not record.is_cut:
-            self._take(record, "" if written.is_typed else str(record.place), record.number)
-
-    def _show(self, record: Record, start_ns: int) -> None:
-        self._number += 1
-        if not self._rows.is_full:
-            self._shown[self._number] = record.frame
-            seen = record.seen if record.written is not None else record_seen(record, start_ns)
-            self._rows.add(message_lines(record.exchange, seen, record.rest), self._number)
+            self._frame(record, number, "" if written.is_typed else str(record.place), record.number)
 
     def _source(self, source: Source) -> None:
         """Reads assembly, or the source of a program."""
@@ -189,8 +206,7 @@ class Input:
         records = [item for item in made if isinstance(item, Record)]
         self._assembled = len(records)
         for number, record in enumerate(records, 1):
-            self._show(record, 0)
-            self._take(record, f"frame {number}" if len(records) > 1 else "", 0)
+            self._frame(record, self._show(record), f"frame {number}" if len(records) > 1 else "", 0)
         for item in made:
             if isinstance(item, Problem):
                 self._problem(item)
@@ -206,30 +222,28 @@ class Input:
         warnings = [f"{Problem.in_source(label, one)} (warning)" for one in made.warnings]
         more = len(warnings) - MOST_WARNINGS
         self._findings.warn([*warnings[:MOST_WARNINGS], *([f"... and {more} more warnings"] if more > 0 else [])])
-        self._image(made.image, label)
+        self._image(Image(made.image, Place(label)))
 
-    def _image(self, image: bytes, label: str) -> None:
+    def _image(self, image: Image) -> None:
         """Takes the image of a program."""
-        self.image, place = image, Place(label)
+        self.image = image.data
         try:
-            program = parse_program(image, strict=False)
+            program = parse_program(image.data, strict=False)
         except DecodeError as error:
-            self._problem(Problem(place, ProblemCode.DAMAGED, str(error)))
+            self._problem(Problem(image.place, ProblemCode.DAMAGED, str(error)))
         else:
-            self._number += 1
-            self._shown[self._number] = image
-            self._rows.add(listing(program), self._number)
+            self._show(image)
             for fault in program.faults:
-                self._problem(Problem(place, ProblemCode.FAULT, f"fault at {fault}"))
-        self._findings.program(check_program(image))
+                self._problem(Problem(image.place, ProblemCode.FAULT, f"fault at {fault}"))
+        self._findings.program(check_program(image.data))
 
     def _problem(self, problem: Problem) -> None:
         self._problem_count += 1
         if len(self._problems) < MOST_COMPLAINTS:
             self._problems.append(problem)
 
-    def _take(self, record: Record, place: str, line: int, *, carrier: str | None = None) -> None:
-        """Takes a frame, which was shown."""
+    def _frame(self, record: Record, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
+        """Takes a frame, which has a number on the pages."""
         message, frame = record.message, record.frame
         if message.type is not None and message.type.is_command:
             self._command_count += 1
@@ -242,20 +256,7 @@ class Input:
         if record.is_from_brick:
             self._findings.reply()
         else:
-            self._findings.frame(frame, self._number, place, line, carrier=carrier)
-        self._breathe()
-
-    def _breathe(self) -> None:
-        """Reports progress, and now and then a part of the answer."""
-        now = time.monotonic()
-        if now - self._said < OFTEN:
-            return
-        self._said = now
-        self._publish(json.dumps({"part": self._done(), "count": self._number + 1}))
-        is_first = self._rows.is_full and self._next == LATE
-        if now - self._begun > (SOON if is_first else self._next):
-            self._next *= 2
-            self._publish(json.dumps({"answer": self.answer(is_whole=False)}))
+            self._findings.frame(frame, number, place, line, carrier=carrier)
 
     # The answer
 
@@ -266,28 +267,30 @@ class Input:
         problems   the same as data: each with message, place, severity, code, line and column
         count      the number of frames
         isProgram  whether it is a program
-        lines      of the tree, each with its pieces, the number of its frame (-1 for none), offset and number of bytes
-        frames     in hex, by number
         findings   see `Findings.answer`
+        found      the frames with findings, in hex, by number
         isFixable  whether a fix would change the text
         made       the frames in the lesson's notation, and if they are few, in all
-        dialogues  their number, and the first ones, each with time, command, reply, latency
+        dialogues  their number
+        lines, frames, rows, page  the first page: see `Pages.page`
         """
-        findings = self._findings.answer()
-        frames = self._shown | {each.number: each.report.frame for each in self._findings.frames}
         is_few = is_whole and len(self._frames) <= FEW and self.image is None
         return {
             "error": self._error(),
             "problems": [_problem_entry(problem) for problem in self._problems],
-            "count": self._number + 1,
+            "count": self._pages.frames,
             "isProgram": self.image is not None,
-            "lines": self._rows.answer(),
-            "frames": {number: frame.hex() for number, frame in frames.items()},
-            "findings": findings,
+            "findings": self._findings.answer(),
+            "found": {each.number: each.report.frame.hex() for each in self._findings.frames},
             "isFixable": is_whole and self._is_fixable(),
             "made": {form: self.made(form) for form in (FORMS if is_few else (LESSON,))},
-            "dialogues": {"count": self._dialogue_count(), "rows": self.dialogue_rows(FEW)},
+            "dialogues": 0 if self._pages.frames == 1 and self._reading.part.is_text else self._pages.dialogues,
+            **self.page(0),
         }
+
+    def page(self, number: int) -> dict[str, Any]:
+        """Returns the page that has a frame, by its number: see `Pages.page`."""
+        return self._pages.page(number)
 
     def _error(self) -> str:
         lines: list[str] = []
@@ -300,7 +303,7 @@ class Input:
     def made(self, form: str) -> str:
         """Returns the frames in a notation, as far as they are shown."""
         if form == LESSON:
-            return _shortened(self._lesson, self._number + 1)
+            return _shortened(self._lesson, self._pages.frames)
         found: list[str] = []
         size = 0
         for number, frame in enumerate(self._frames, 1):
@@ -308,7 +311,7 @@ class Input:
             size += len(found[-1]) + 1
             if size > MOST_SHOWN:
                 break
-        return _shortened(found, self._number + 1)
+        return _shortened(found, self._pages.frames)
 
     # Fixes
 
@@ -323,39 +326,24 @@ class Input:
         """Returns the text with every certain fix in it."""
         return "" if self._typed is None else fix_text(self._typed).text
 
-    # Dialogues
-
-    def _dialogue_count(self) -> int:
-        """Returns the number of dialogues; a text with one frame has none."""
-        return self._pair_count if self._number or not self._reading.part.is_text else 0
-
-    def dialogue_rows(self, most: int) -> list[list[str]]:
-        """Returns dialogues: time, command, reply, latency of each."""
-        return [self._dialogue_row(pair) for pair in self._pairs[:most]] if self._dialogue_count() else []
-
-    def all_dialogue_rows(self) -> list[list[str]]:
-        """Returns as many dialogues as are shown."""
-        return self.dialogue_rows(MOST_DIALOGUES)
-
-    def _dialogue_row(self, pair: RequestReply) -> list[str]:
-        command, reply = pair
-        first = command or pair.last
-        latency = None if reply is None else reply.latency
-        asks = command is not None and command.message.wants_reply
-        return [
-            elapsed(first.time_ns, self._start_ns) if first.route.is_timed else "",
-            "(a command that was not seen)" if command is None else plain_text(command_spans(command.message)),
-            ("no reply" if asks else "") if reply is None else plain_text(reply_spans(reply.exchange)),
-            "" if latency is None else f"{latency * 1000:.3f} ms",
-        ]
-
     # The timeline
 
-    def timeline(self) -> str:
-        """Returns the input over time as a Vega-Lite specification with its data; null if it is empty."""
+    def timeline(self) -> Steps:
+        """Reads the input again. The answer is a chart of it as JSON, for Vega-Lite, or None."""
         reading = Reading([self._again()], Options(sources=Sources.NO, images=False, raises=False))
-        drawn = collect(event for event in reading.events() if isinstance(event, Record | Announcement | Skipped))
-        return "null" if drawn is None else render(drawn, Form.JSON, self._name).decode()
+        events = (event for event in reading.events() if isinstance(event, Record | Announcement | Skipped))
+        collecting = collect_in_steps(events, most_marks=MOST_MARKS)
+        said = time.monotonic()
+        while True:
+            try:
+                next(collecting)
+            except StopIteration as end:
+                drawn: Timeline | None = end.value
+                break
+            if time.monotonic() - said > OFTEN:
+                yield {"part": reading.progress or 0.0, "count": reading.part.account.frames}
+                said = time.monotonic()
+        yield {"answer": None if drawn is None else render(drawn, Form.JSON, self._name).decode()}
 
     # Sending
 

@@ -10,7 +10,7 @@ when something is drawn.
 """
 
 from ev3proto.capture.timeline.chart_files import Form, MissingLibraryError, render, require_library
-from ev3proto.capture.timeline.collecting import Window, collect
+from ev3proto.capture.timeline.collecting import Window, collect, collect_in_steps
 from ev3proto.capture.timeline.marks import Cell, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 
 __all__ = [
@@ -25,6 +25,7 @@ __all__ = [
     "Timeline",
     "Window",
     "collect",
+    "collect_in_steps",
     "render",
     "require_library",
 ]

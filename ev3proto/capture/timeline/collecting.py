@@ -7,7 +7,7 @@ are kept one by one, up to MOST_TROUBLES.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Generator, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -64,9 +64,26 @@ def collect(
 
     A command and its reply are drawn if either is chosen; without `chosen` everything is, within the window.
     """
+    collecting = collect_in_steps(events, chosen, window, most_marks)
+    while True:
+        try:
+            next(collecting)
+        except StopIteration as end:
+            timeline: Timeline | None = end.value
+            return timeline
+
+
+def collect_in_steps(
+    events: Iterable[Event],
+    chosen: Callable[[Record], bool] | None = None,
+    window: Window | None = None,
+    most_marks: int = MOST_MARKS,
+) -> Generator[None, None, Timeline | None]:
+    """Collects in steps: yields after each dialogue, and returns the timeline."""
     collector = _Collector(chosen, window or Window(), most_marks)
     for pair in dialogues(map(collector.seen, events)):
         collector.dialogue(pair)
+        yield
     return collector.timeline()
 
 

@@ -81,8 +81,8 @@ class Pages:
         lines   of the tree, each with its pieces, the number of its item (-1 for none), offset and number of bytes
         frames  in hex, by number
         rows    its dialogues, each with time, command, reply, latency
-        page    the number of its `first` item, of the first item of the `next` page (0 for none), and those of its first
-                and last frame, counted from 1 without the texts between them: `begin`, `end`
+        page    the numbers of its `first` item and of the first one of the `next` page, 0 for none; and those of its
+                first and last frame, `begin` and `end`, counted from 1 without the texts between them
         """
         page = bisect_right(self._starts, number) - 1
         first = self._starts[page]

@@ -24,7 +24,7 @@ from ev3proto.tables.discovery import ACCEPT, BEACON_LINES, UNLOCK_REQUEST
 MOST_CONNECTIONS = 1024
 """Maximum number of remembered connections; the least recently used are evicted."""
 
-_SENT = {"frame.p2p_dir": 0, "hci_mon.opcode": 4, "usb.endpoint_address.direction": 0}
+_SENT = {"frame.p2p_dir": 0, "hci_mon.opcode": 4, "packetlogger.type": 2, "usb.endpoint_address.direction": 0}
 """Values in headers of USB and Bluetooth of packets from the host."""
 
 FIELDS = (

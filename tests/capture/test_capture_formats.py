@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, pcap, timed
+from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, packetlogger, pcap, timed
 from support.packets import Capture as Packets
 from support.packets import Connection, SerialPort, packets_of
 
@@ -128,13 +128,8 @@ def hci_packets() -> list[Timed]:
 @pytest.mark.parametrize("order", "<>")
 def test_files_of_packetlogger(order: str) -> None:
     """As a Mac writes them; texts and notes are between the packets."""
-    kinds = {(0, 1): 0, (1, 4): 1, (0, 2): 2, (1, 2): 3}  # by direction and packet type
     note = struct.pack(f"{order}IIIB", 13, 1_500_000_000, 0, 0xFB) + b"note"
-    data = note
-    for time_ns, packet, _ in hci_packets():
-        direction, kind = struct.unpack(">IB", packet[:5])
-        head = struct.pack(f"{order}III", 4 + len(packet), time_ns // 10**9, time_ns % 10**9 // 1000)
-        data += head + bytes((kinds[direction, kind],)) + packet[5:]
+    data = note + packetlogger(hci_packets(), order)
     assert read_bytes(data) == (COMMANDS[:1], None)
     (record,) = read(io.BytesIO(data))
     assert record.time_ns == hci_packets()[-1][0]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import gzip
 import io
+import struct
 import subprocess
 import sys
 import tempfile
@@ -16,7 +17,20 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from support.packets import ACK, RAW_IP, Capture, Connection, SerialPort, cut, datagram, in_tunnels, segment
+from support.files import Timed, btsnoop, darwin_usb, hcidump, packetlogger, pcap, timed
+from support.packets import (
+    ACK,
+    HCI_WITH_DIRECTION,
+    RAW_IP,
+    Capture,
+    Connection,
+    SerialPort,
+    cut,
+    datagram,
+    in_tunnels,
+    packets_of,
+    segment,
+)
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.capture import Account, Announcement, CaptureError, Direction, Event, Record, Skipped, read
@@ -56,8 +70,10 @@ def opened(tshark: Tshark, monkeypatch: pytest.MonkeyPatch) -> Open:
     """Opens a capture, or the bytes of one, with the engine wireshark."""
     monkeypatch.setattr(tempfile, "tempdir", str(tshark.folder))
 
-    def open_capture(source: Path | bytes, *, ports: tuple[int, ...] = (5555,), dialect: str = "official") -> Captured:
-        path = tshark.place(source, "" if isinstance(source, Path) else f"{abs(hash(source)):x}.pcap")
+    def open_capture(
+        source: Path | bytes, *, ports: tuple[int, ...] = (5555,), dialect: str = "official", suffix: str = "pcap"
+    ) -> Captured:
+        path = tshark.place(source, "" if isinstance(source, Path) else f"{abs(hash(source)):x}.{suffix}")
         return read_by_tshark(path, tshark=str(tshark.path), ports=ports, dialect=dialect)
 
     return open_capture
@@ -83,6 +99,62 @@ def test_both_find_the_same(opened: Open, name: str) -> None:
     for part in ("packets", "frames", "texts", "cut", "first_ns", "last_ns"):
         assert getattr(theirs.account, part) == getattr(ours.account, part)
     assert theirs.account.balance == 0
+
+
+def hci_packets() -> list[Timed]:
+    """A command and its answer over a serial port that is set up before, with direction and type of each packet."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    port.send(VOLTAGE)
+    port.receive(ANSWER)
+    return timed(list(packets_of(capture.data())))
+
+
+def without_types() -> bytes:
+    """The same as btsnoop without packet types: the flags tell the direction."""
+    return btsnoop(1001, [Timed(it.time_ns, it.data[5:]) for it in hci_packets()], [it.data[3] for it in hci_packets()])
+
+
+def cooked() -> bytes:
+    """The command and its answer in version 2 of Linux's cooked capture, as `tcpdump -i any` writes it."""
+    connection = Connection(Capture(RAW_IP))
+    head = struct.pack(">HHIHBB8s", 0x0800, 0, 1, 1, 4, 6, bytes(8))
+    packets = (connection.segment(True, VOLTAGE), connection.segment(False, ANSWER))
+    return pcap(276, timed([head + packet for packet in packets]))
+
+
+BOTH_READ = {
+    "PacketLogger on PowerPC": (lambda: packetlogger(hci_packets(), ">"), "pklg"),
+    "PacketLogger": (lambda: packetlogger(hci_packets(), "<"), "pklg"),
+    "btsnoop without packet types": (without_types, "log"),
+    "Linux cooked": (cooked, "pcap"),
+}
+"""By program: the file, and the end of its name, by which tshark tells files without a magic number apart."""
+
+
+@pytest.mark.parametrize("kind", BOTH_READ)
+def test_both_read_files_of_other_programs(opened: Open, kind: str) -> None:
+    make, suffix = BOTH_READ[kind]
+    ours, theirs = read(io.BytesIO(make())), opened(make(), suffix=suffix)
+    found = list(theirs)
+    assert [record.frame for record in found] == [VOLTAGE, ANSWER]
+    assert [told(record) for record in found] == [told(record) for record in ours]
+    assert found[1].request is found[0]
+
+
+TSHARK_READS = {
+    "hcidump -w": lambda: hcidump(hci_packets()),
+    "macOS's USB": lambda: darwin_usb([(0x01, VOLTAGE.ljust(1024, b"\0")), (0x81, ANSWER.ljust(1024, b"\0"))]),
+}
+
+
+@pytest.mark.parametrize("kind", TSHARK_READS)
+def test_what_the_engine_is_named_for_is_read_by_it(opened: Open, kind: str) -> None:
+    data = TSHARK_READS[kind]()
+    ours = read(io.BytesIO(data))
+    assert "--engine wireshark reads" in complaint(ours)[1]
+    found = [(record.frame, record.direction) for record in opened(data)]
+    assert found == [(VOLTAGE, Direction.SENT), (ANSWER, Direction.RECEIVED)]
 
 
 def test_a_frame_has_the_number_and_time_of_the_packet_in_which_it_ends(opened: Open) -> None:

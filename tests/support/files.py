@@ -48,6 +48,39 @@ def btsnoop(kind: int, packets: Sequence[Timed], flags: Sequence[int]) -> bytes:
     return b"".join(pieces)
 
 
+_PACKETLOGGER = {(0, 1): 0, (1, 4): 1, (0, 2): 2, (1, 2): 3}
+"""PacketLogger's kinds of packets by direction, 1 for a received one, and HCI's packet type."""
+
+
+def packetlogger(packets: Sequence[Timed], order: str) -> bytes:
+    """A Mac's file of packets that have their direction and type before them, as in captures of link type 201."""
+    pieces = []
+    for time_ns, packet, _ in packets:
+        kind = _PACKETLOGGER[struct.unpack(">IB", packet[:5])]
+        seconds, rest = divmod(time_ns, SECOND)
+        pieces += [struct.pack(f"{order}IIIB", 4 + len(packet), seconds, rest // 1000, kind), packet[5:]]
+    return b"".join(pieces)
+
+
+def hcidump(packets: Sequence[Timed]) -> bytes:
+    """The file of `hcidump -w` of such packets."""
+    pieces = []
+    for time_ns, packet, _ in packets:
+        seconds, rest = divmod(time_ns, SECOND)
+        pieces += [struct.pack("<HBBII", len(packet) - 4, packet[3], 0, seconds, rest // 1000), packet[4:]]
+    return b"".join(pieces)
+
+
+def darwin_usb(packets: Sequence[tuple[int, bytes]]) -> bytes:
+    """A capture of macOS's USB: interrupt transfers of a device, by endpoint, of which the brick's begin at 0x80."""
+    found = []
+    for number, (endpoint, data) in enumerate(packets):
+        is_done = endpoint >> 7
+        head = struct.pack("<HBBIIIQIBBBB", 0x0100, 32, is_done, len(data), 0, 0, number, 0x14100000, 3, 5, endpoint, 3)
+        found.append(head + data)
+    return pcap(266, timed(found))
+
+
 class Blocks:
     """A pcapng file, block by block, in one byte order from its section header on."""
 

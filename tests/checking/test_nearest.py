@@ -202,3 +202,15 @@ def test_a_run_has_a_limit() -> None:
         assert not suggestions.is_stopped
         suggestions.of(ev3proto.check(bytes.fromhex(f"0C00 0100 80 0000 A5 01 81{number:02X} A6 00 01"), alone=True))
     assert suggestions.is_stopped
+
+
+def test_a_result_is_taken_for_the_variable_of_a_short_number() -> None:
+    """0 to 31 are written like the index of a variable; 20 is -32."""
+    (one,) = code("9A 00 00 00 00 1F", header="0100 00 2000")
+    assert (one.kind, one.frame.hex()[-2:]) == ("variable", "7f")
+    assert not code("9A 00 00 00 00 20", header="0100 00 2000")
+
+
+def test_the_shortest_command_with_a_header_that_is_too_long() -> None:
+    (one,) = nearest("0800 2A000000 80 0000 01")
+    assert (one.kind, one.frame) == ("header-long", bytes.fromhex("0600 2A00 80 0000 01"))

@@ -107,5 +107,12 @@ def test_a_beacon_with_an_impossible_port(port: str) -> None:
     assert Beacon.parse(beacon.build()) == beacon
 
 
-def test_the_port_of_a_beacon_as_a_number() -> None:
-    assert Beacon("001653", "5555").tcp_port == 5555
+@pytest.mark.parametrize("port", [1, 5555, 65535])
+def test_the_port_of_a_beacon_as_a_number(port: int) -> None:
+    assert Beacon("001653", str(port)).tcp_port == port
+
+
+def test_a_beacon_has_the_characters_of_one_byte() -> None:
+    assert b"Name: \xff\r\n" in Beacon("001653", name="\xff").build()
+    with pytest.raises(ev3proto.BuildError, match="ISO-8859-1"):
+        Beacon("001653", name="\u0100").build()

@@ -484,3 +484,19 @@ def test_agreement_on_each_operation(name: str) -> None:
         assert arguments.build(values) == operation.raw[head:]
 
     check()
+
+
+@pytest.mark.parametrize(("size", "is_possible"), [(1023, True), (1024, True), (1025, False)])
+def test_a_frame_has_as_many_bytes_for_both(size: int, is_possible: bool) -> None:
+    """A direct reply has at most 1,024 bytes; the data of a download may be longer."""
+    contents = bytes.fromhex("2A00 02") + bytes(size - 5)
+    frame = len(contents).to_bytes(2, "little") + contents
+    assert (ev3proto.parse(frame, strict=False).fault is None) is is_possible
+    if is_possible:
+        assert FRAME.build(FRAME.parse(frame)) == frame
+    else:
+        with pytest.raises(ConstructError):
+            FRAME.parse(frame)
+    download = len(contents).to_bytes(2, "little") + bytes.fromhex("2A00 01 93 00") + bytes(size - 7)
+    assert ev3proto.parse(download).build() == download
+    assert FRAME.build(FRAME.parse(download)) == download

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import struct
+
 import pytest
 
 import ev3proto
 from ev3proto import GV, LV, Draft, check, command, ops
+from ev3proto.semantics.domain import facts
+from ev3proto.semantics.replies import guesses
+from ev3proto.tables import operations
 
 # The requested memory is what a check wants
 
@@ -50,3 +55,18 @@ def test_a_variable_that_holds_a_handle_is_one_value() -> None:
     dialogue.feed(message)
     (value,) = dialogue.feed(ev3proto.direct_reply(bytes((0, 0, 7, 1, 5, 5, 5, 5))))
     assert (value.value, value.type, value.offset, value.length) == (0x107, "handle", 7, 2)
+
+
+@pytest.mark.parametrize(
+    ("number", "is_likely"),
+    [(9_999_999.0, True), (1e7, False), (-1e7, False), (1.1e-6, True), (0.9e-6, False), (0.0, True)],
+)
+def test_a_reply_of_unknown_meaning_holds_a_likely_float(number: float, is_likely: bool) -> None:
+    assert ("DATAF" in guesses(struct.pack("<f", number))) is is_likely
+
+
+def test_the_longest_text_of_a_parameter() -> None:
+    """The buffer of 50 bytes for the name of a mailbox has room for its zero."""
+    parameters = operations("official")["MAILBOX_OPEN"].parameters
+    texts = {each.name: set(facts(each)) for each in parameters}
+    assert "at most 49 characters" in texts["BOXNAME"]

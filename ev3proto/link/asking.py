@@ -68,17 +68,18 @@ def question_about(message: Message) -> Inquiry | None:
         return None
     code = References(message)
     ports = (port_of(one) for one in message.operations if _sets_type(one, code))
-    reads_files = any(
-        argument.parameter.type is Type.HANDLE and not argument.parameter.is_output
-        for one in message.operations
-        for argument in one.arguments
-    )
-    paths = (path_of(one) for one in message.operations if reads_files and one.full_name == "FILE.OPEN_READ")
+    opening = message.operations if _uses_files(message) else ()
+    paths = (path_of(one) for one in opening if one.full_name == "FILE.OPEN_READ")
     question = Inquiry(
         tuple(dict.fromkeys(port for port in ports if port is not None)),
         tuple(dict.fromkeys(path for path in paths if path is not None)),
     )
     return question if question.ports or question.paths else None
+
+
+def _uses_files(command: DirectCommand) -> bool:
+    parameters = (argument.parameter for operation in command.operations for argument in operation.arguments)
+    return any(parameter.type is Type.HANDLE and not parameter.is_output for parameter in parameters)
 
 
 def _sets_type(operation: Operation, code: References) -> bool:

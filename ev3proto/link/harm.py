@@ -13,14 +13,14 @@ from typing import NamedTuple
 from ev3proto.link.arguments import GRANTED, References, changing_argument, is_bounded, only_reads
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.link.transfers import NO_TRANSFERS, is_listing, is_of
-from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
+from ev3proto.messages import DaisyCommand, DirectCommand, Message, Operation, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.paths import WHOLE, is_allowed
 from ev3proto.tables.reading import ReadOnly, is_own, reading_of
-from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemDeclaration
 
 
 class Harm(StrEnum):
@@ -101,13 +101,7 @@ def harms_of(
         handles: The files and listings that the sender has opened: for each handle the command that began it.
         known: What the brick has answered about its ports and files.
     """
-    if isinstance(message, DirectCommand) and message.fault is None:
-        does, unknown = _of_direct(message, known)
-    elif isinstance(message, SystemCommand) and message.fault is None:
-        does, unknown = _of_system(message, handles)
-    else:
-        operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
-        does, unknown = [_Doing(one.full_name, one.declaration.effects) for one in operations], ["the frame"]
+    does, unknown = _done_by(message, handles, known)
     found: dict[Harm, str] = {}
     for harm in Harm:
         named = (one for effect in harm.effects for one in does if effect in one.effects and one.name not in allowed)
@@ -119,42 +113,62 @@ def harms_of(
     return found
 
 
+def _done_by(message: Message, handles: Mapping[int, str], known: Known) -> _Found:
+    if isinstance(message, DirectCommand) and message.fault is None:
+        return _of_direct(message, known)
+    if isinstance(message, SystemCommand) and message.fault is None:
+        return _of_system(message, handles)
+    operations = message.operations if isinstance(message, DirectCommand | DaisyCommand) else ()
+    return [_Doing(one.full_name, one.declaration.effects) for one in operations], ["the frame"]
+
+
 def _of_system(command: SystemCommand, handles: Mapping[int, str]) -> _Found:
     entry = SYSTEM_BY_NUMBER.get(command.number)
     if entry is None:
         return [], ["the frame"]
     effects, path = entry.effects, str(command.fields.get("path", "")).encode(STRING_CODING)
     is_fine = entry.transfer in (None, "begin") or is_of(entry, command.fields.get("handle"), handles)
-    if Effect.READS in effects:
-        # The handle of a file that is opened without a reply is unknown, so it would stay open.
-        is_fine = is_fine and command.wants_reply
-        if entry.transfer == "begin":
-            is_fine = is_fine and is_own(path) and (is_listing(entry.name) or is_allowed(path))
-    if not is_fine:
+    if not is_fine or (Effect.READS in effects and not _is_reading(command, entry, path)):
         effects = (*(one for one in effects if one is not Effect.READS), Effect.COMPUTES)
     return [_Doing(entry.name, effects)], [entry.name] if len(path) >= WHOLE else []
+
+
+def _is_reading(command: SystemCommand, entry: SystemDeclaration, path: bytes) -> bool:
+    """Returns whether a command that reads has a path that may be read, and its handle will be known."""
+    # The handle of a file that is opened without a reply is unknown, so it would stay open.
+    is_allowed_path = is_own(path) and (is_listing(entry.name) or is_allowed(path))
+    return command.wants_reply and (entry.transfer != "begin" or is_allowed_path)
 
 
 def _of_direct(command: DirectCommand, known: Known) -> _Found:
     code = References(command)
     operations = code.operations
     is_whole = bool(operations) and operations[-1].offset + operations[-1].length <= MAX_FRAME
-    does, unknown = [], [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
+    does: list[_Doing] = []
+    unknown = [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
     counts: Counter[str] = Counter()
     for operation in operations:
-        effects, detail = operation.declaration.effects, ""
-        if Effect.READS in effects:
-            row = reading_of(operation.full_name)
-            if row is not None and _is_one_of_few(row, counts) and only_reads(operation, row, code, known):
-                continue
-            effects, detail = (Effect.COMPUTES,), changing_argument(operation, code, known)
-        does.append(_Doing(operation.full_name, effects, detail))
-        if _GROUPED.isdisjoint(effects) or not is_bounded(operation, code, GRANTED):
+        doing = _of_operation(operation, code, counts, known)
+        if doing is None:
+            continue
+        does.append(doing)
+        if _GROUPED.isdisjoint(doing.effects) or not is_bounded(operation, code, GRANTED):
             unknown.append(operation.full_name)
     if operations and not does and not command.wants_reply:
         # Nothing would tell when it has ended, nor how long it keeps others waiting.
         does.append(_Doing(f"{operations[0].full_name} without a reply", (Effect.COMPUTES,)))
     return does, unknown
+
+
+def _of_operation(operation: Operation, code: References, counts: Counter[str], known: Known) -> _Doing | None:
+    """Returns what an operation does; None if it only reads."""
+    effects = operation.declaration.effects
+    if Effect.READS not in effects:
+        return _Doing(operation.full_name, effects)
+    row = reading_of(operation.full_name)
+    if row is not None and _is_one_of_few(row, counts) and only_reads(operation, row, code, known):
+        return None
+    return _Doing(operation.full_name, (Effect.COMPUTES,), changing_argument(operation, code, known))
 
 
 def _is_one_of_few(row: ReadOnly, counts: Counter[str]) -> bool:

@@ -27,7 +27,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.semantics.replies import values_of
-from ev3proto.tables.declaration import Declaration, Effect, Role, Type
+from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
 from ev3proto.tables.public import Public, public_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
@@ -115,19 +115,26 @@ def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
 
 def _is_public(argument: Argument, operation: Operation, row: Public) -> bool:
     """Returns whether an argument is a public number or text, or a variable into which the brick writes one."""
-    parameter, form, number = argument.parameter, argument.form, whole_number(argument)
+    parameter, form = argument.parameter, argument.form
     if form.handle or form.address or form.kind in (JUMP, TEXT):
         return False
     if parameter.type is Type.STRING or parameter.length is not None:
-        count = whole_number(next((one for one in operation.arguments if one.name == parameter.length), None))
-        fits = count is not None and count >= 0 and (row.most is None or count <= row.most)
-        return parameter.role is Role.PUBLIC and parameter.is_output and (fits or isinstance(parameter.length, int))
-    if parameter.is_output:
-        return True
-    domain = domain_of(parameter)
+        return parameter.role is Role.PUBLIC and parameter.is_output and _has_room(parameter, operation, row)
+    return parameter.is_output or _is_public_number(argument, row)
+
+
+def _has_room(parameter: Parameter, operation: Operation, row: Public) -> bool:
+    """Returns whether a text or an array is as long as what is public."""
+    count = whole_number(next((one for one in operation.arguments if one.name == parameter.length), None))
+    fits = count is not None and count >= 0 and (row.most is None or count <= row.most)
+    return fits or isinstance(parameter.length, int)
+
+
+def _is_public_number(argument: Argument, row: Public) -> bool:
+    domain, number = domain_of(argument.parameter), whole_number(argument)
     if argument.name in row.only:
         return number in row.only[argument.name]
-    if form.kind == CONSTANT:
+    if argument.form.kind == CONSTANT:
         return domain is None or number is None or domain.covers(number)
     # A variable that the brick reads may hold a part of a text, unless there are only a few documented values.
     return domain is not None and domain.is_documented

@@ -84,9 +84,7 @@ class Policy:
         if listing is not None:
             yield from self._end(listing)
             return Outcome(reply=_closed(message, listing))
-        harms = harms_of(message, self._allowed, transfers)
-        if harms and not harms_of(message, self._allowed, transfers, ASSUMED):
-            harms = {} if self._is_plan else (yield from self._ask(message, transfers))
+        harms = yield from self._judge(message, transfers)
         if harms:
             return Outcome(harms)
         entry = _entry(message)
@@ -108,6 +106,13 @@ class Policy:
     def forget(self) -> None:
         """Forgets what is open: the connection is a new one, and the handles may be another client's."""
         self.transfers.clear()
+
+    def _judge(self, message: Message, transfers: Mapping[int, str]) -> Generator[bytes, bytes | None, dict[Harm, str]]:
+        """Returns the harms of a command; asks the brick if they depend on what it has."""
+        harms = harms_of(message, self._allowed, transfers)
+        if not harms or harms_of(message, self._allowed, transfers, ASSUMED):
+            return harms
+        return {} if self._is_plan else (yield from self._ask(message, transfers))
 
     def _ask(self, message: Message, transfers: Mapping[int, str]) -> Generator[bytes, bytes | None, dict[Harm, str]]:
         """Asks the brick what a command depends on. Returns its harms."""

@@ -5,7 +5,7 @@ There is no I/O here: the caller sends the frames that a talk yields, and passes
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import partial
@@ -122,15 +122,16 @@ def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tupl
         return Likeness.KIND, f"recorded: {_kind(before)}"
     if step.reply.frame[HEADER_SIZE:] == reply[HEADER_SIZE:]:
         return Likeness.SAME, ""
-    values = values_of(now, parse(frame, strict=False, dialect=dialect))
-    changed = [
-        was
-        for was, is_now in zip(step.reply.values, values, strict=False)
-        if was.value != is_now.value and was.name != _HANDLE
-    ]
+    return _of_values(step.reply.values, values_of(now, parse(frame, strict=False, dialect=dialect)))
+
+
+def _of_values(recorded: Sequence[Value], values: Sequence[Value]) -> tuple[Likeness, str]:
+    """Returns how the values of a reply compare with the recorded ones."""
+    pairs = zip(recorded, values, strict=False)
+    changed = [was for was, is_now in pairs if was.value != is_now.value and was.name != _HANDLE]
     more = f" and {len(changed) - _MOST_DIFFERENCES} more" if len(changed) > _MOST_DIFFERENCES else ""
     shown = ", ".join(f"{was.name}={value_text(was)}" for was in changed[:_MOST_DIFFERENCES])
-    if values and len(values) == len(step.reply.values) and all(map(_varies, changed)):
+    if values and len(values) == len(recorded) and all(map(_varies, changed)):
         # Handles, and memory that was not written to, may also differ.
         return Likeness.SAME, f"recorded: {shown}{more}" if shown else ""
     return Likeness.VALUES, f"recorded: {shown or 'other bytes'}{more}"

@@ -131,6 +131,11 @@ def chosen_target(
         raise ValueError(
             f"no brick is named; give protocol (WIFI, BLUETOOTH or USB), ev3_obj, or target, or set {TARGET_VARIABLE}"
         )
+    return _of_protocol(protocol, host, address)
+
+
+def _of_protocol(protocol: str, host: str | None, address: tuple[str, int] | None) -> Target:
+    """Returns the brick that the arguments of the lesson name. Raises ValueError."""
     way = _WAYS.get(protocol.lower()) if isinstance(protocol, str) else None
     if way is None:
         raise ValueError(f"protocol must be WIFI, BLUETOOTH or USB, not {protocol!r:.60}")

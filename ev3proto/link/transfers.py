@@ -44,8 +44,7 @@ class OpenTransfers(dict[int, str]):
         if entry is None or entry.transfer is None:
             return
         assert isinstance(command, SystemCommand)
-        is_reply = isinstance(reply, SystemReply) and reply.number == command.number
-        is_open = is_reply and isinstance(reply, SystemReply) and reply.status is SystemStatus.SUCCESS
+        is_open = _is_success(command, reply)
         named = reply.fields if entry.transfer == "begin" and isinstance(reply, SystemReply) else command.fields
         handle = named.get("handle")
         if not isinstance(handle, int) or handle not in _HANDLES:
@@ -54,3 +53,9 @@ class OpenTransfers(dict[int, str]):
             self[handle] = entry.name
         elif not is_open or entry.transfer == "close":
             self.pop(handle, None)
+
+
+def _is_success(command: SystemCommand, reply: Message | None) -> bool:
+    if not isinstance(reply, SystemReply):
+        return False
+    return reply.number == command.number and reply.status is SystemStatus.SUCCESS

@@ -498,6 +498,18 @@ def test_a_data_log(brick: Brick, projects: Path, interval: int, handle: int) ->
     assert (projects / "log.rdf").read_bytes() == head + row + b"\xff" * 8
 
 
+@pytest.mark.parametrize(("items", "size"), [(-1, 0), (0, 0), (1, 8), (2, 12)])
+def test_a_row_of_a_data_log_has_samples(brick: Brick, projects: Path, items: int, size: int) -> None:
+    code = (
+        op("FILE.OPEN_LOG", "../prjs/log", 1, 2, 3, 10, 1000, "", LV(0)),
+        op("FILE.WRITE_LOG", LV(0), 5, items, LV(4)),
+        op("FILE.CLOSE_LOG", LV(0), "../prjs/log"),
+    )
+    assert run(brick, *code, locals=12)[0] == OK
+    rows = (projects / "log.rdf").read_bytes().partition(b"1000\r\n")[2].removesuffix(b"\xff" * 8)
+    assert len(rows) == size
+
+
 def test_logging_never_fails(brick: Brick) -> None:
     code = (
         op("FILE.WRITE_LOG", 7, 0, 1, GV(0)),

@@ -55,6 +55,26 @@ def test_counters_wrap_around_those_that_are_outstanding() -> None:
     assert session.command(TELL, NOP).counter == 3
 
 
+@pytest.mark.parametrize(("first", "counter"), [(65535, 65535), (65536, 0), (65536 + 42, 42), (-1, 65535)])
+def test_the_first_counter_wraps_around(first: int, counter: int) -> None:
+    assert Session(first).command(ASK, NOP).counter == counter
+
+
+@pytest.mark.parametrize(
+    ("kind", "body", "answer"),
+    [
+        (ASK, NOP, bytes.fromhex("05002a00 03 9d 00")),
+        (MessageType.SYSTEM_COMMAND_REPLY, b"\x9d", bytes.fromhex("03002a00 02")),
+    ],
+)
+def test_a_reply_of_another_kind_is_foreign(kind: MessageType, body: bytes, answer: bytes) -> None:
+    """A system reply answers no direct command, and the other way round, whatever the counter."""
+    session = Session()
+    request = session.command(kind, body)
+    assert session.feed(answer) == [Stray(Oddity.FOREIGN, answer)]
+    assert session.outstanding == [request]
+
+
 def test_counters_wrap_around_those_that_were_abandoned() -> None:
     """Their replies may come after all."""
     session = Session()

@@ -6,6 +6,7 @@ Every expected value is written out from the description of the protocol.
 from __future__ import annotations
 
 import copy
+import dataclasses
 import pickle
 from collections.abc import Callable
 
@@ -567,6 +568,17 @@ def test_refusals(build: Callable[[], object], words: list[str]) -> None:
         build()
     for word in words:
         assert word in str(raised.value)
+
+
+@pytest.mark.parametrize("field", ["counter", "number", "layer_from", "layer_to"])
+@pytest.mark.parametrize("is_low", [True, False], ids=["low", "high"])
+def test_the_numbers_of_a_message_have_limits(field: str, is_low: bool) -> None:
+    message = ev3proto.parse(bytes.fromhex("0700 2A00 0A A0 00 01 01"), strict=False)
+    most = 65535 if field == "counter" else 255
+    legal, wrong = (0, -1) if is_low else (most, most + 1)
+    assert len(dataclasses.replace(message, **{field: legal}).build()) == 9
+    with pytest.raises(BuildError, match=f"{field} cannot be {wrong}: it is a whole number from 0 to {most}"):
+        dataclasses.replace(message, **{field: wrong}).build()
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,16 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import HASHES, LOOKS, bare_reason, has_place, is_prose, is_wrong_frame, may_begin
+from ev3proto.text.paste.frames import (
+    HASHES,
+    LOOKS,
+    bare_reason,
+    has_place,
+    is_prose,
+    is_swapped,
+    is_wrong_frame,
+    may_begin,
+)
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
@@ -38,6 +47,10 @@ _WHO_CUTS = (
 _SCANNED = str.maketrans("OolIi", "00111")
 """The digits that are read as letters in scanned pictures."""
 _MISREAD = re.compile(r"(?<![^\W_])(?=\w*[0-9])(?:[0O][xX])?[0-9a-fA-FOolI]*[OolI][0-9a-fA-FOolI]*(?![^\W_])")
+
+
+_ENDLESS = re.compile(r"\\(?:[xXu](?:[0-9a-fA-F]?|\{[0-9a-fA-F]*))?$")
+"""A part of an escape, at which a string is cut."""
 
 
 class Near(NamedTuple):
@@ -162,7 +175,9 @@ def _has_slip(values: Values, place: int) -> bool:
 
 def _is_digest(part: Part, data: bytes) -> bool:
     """Returns whether one value has as many bytes as a digest, and not nearly as many as its length says."""
-    return len(part.offsets) == 2 and len(data) in HASHES and abs(frame_size(data) - len(data)) > LENGTH_FIELD
+    if len(part.offsets) != 2 or len(data) not in HASHES:
+        return False
+    return abs(frame_size(data) - len(data)) > LENGTH_FIELD and not is_swapped(data)
 
 
 def _is_strange(data: bytes) -> bool:
@@ -297,6 +312,7 @@ def _partial(token: Token) -> _Partial:
     if token.kind == "open":
         is_cut = text.rstrip().endswith(("...", "\u2026"))
         body = text.rstrip(". \u2026") if is_cut else text
+        body = _ENDLESS.sub("", body)
         data = string_bytes(body[1 + (body[0] == "b") :], "hex") or b""
         return _Partial(data, token.start, "the string that starts here never ends", is_cut)
     if slip := MISSPELT.search(text):

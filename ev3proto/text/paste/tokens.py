@@ -233,7 +233,8 @@ def _plain_tokens(line: str, number: int) -> Iterator[Token]:
 # Expressions and texts
 
 _PART = r"""(?:[^,()\[\]{}"'`;=\\]|\([^()]*\))"""
-_ELEMENT = re.compile(rf"(?:^\s*|[\[{{(,]\s*+|\]\s?=\s?)((?!\s|$){_PART}+?)(?=\s*(?:[,\]}});]|$))")
+_ELEMENT = re.compile(rf"(?:^\s*|[\[{{(,]\s*+|\]\s?=\s?)((?!\s|$)(?!(?<=\[)\w+\]){_PART}+?)(?=\s*(?:[,\]}});]|$))")
+"""A name alone in square brackets is a type or an index: `let b: [UInt8] = [0x0f]`."""
 _OPENING = re.compile(r"[\[{(]")
 _IDENTIFIER = re.compile(r"(?<!\w)(?!0[xX])[A-Za-z_]\w*")
 _WORDS = re.compile(r"[\w)]\s+\w")
@@ -288,7 +289,7 @@ UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 _ONLY_DIGITS = re.compile(rf"(?!0[bB][01]{{8}}$){_H}+")
 _UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
 _MARKED_HEX = re.compile(
-    rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)[^\\]*|(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]"
+    rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?|(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]"
 )
 """Assemblers want a digit first: `0A3h`."""
 _MARKED_BITS = re.compile(r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})")

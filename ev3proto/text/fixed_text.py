@@ -235,7 +235,10 @@ def _write_escape(base: int) -> Callable[[bytes, str, _Style], str]:
     return write
 
 
-_HEX = re.compile(r"(?:\\[xX]|0[xX]|&[hH]|\b[xX]'|(?<![0-9A-Za-z]))([0-9a-fA-F]+)(?=[hHuUlL8]{0,3}(?![0-9A-Za-z]))")
+_HEX = re.compile(
+    r"(?:\\[xX]|0[xX]|&[hH]|\b[xX]'|\b0(?=(?:[0-9a-fA-F]{2})+[hH])|(?<![0-9A-Za-z]))"
+    r"([0-9a-fA-F]+)(?=[hHuUlL8]{0,3}(?![0-9A-Za-z]))"
+)
 _WORDS = re.compile(r"(?<!\w)([0-9a-fA-F]{4})(?!\w)")
 _DECIMAL = re.compile(r"(?<![\w.-])(-?[0-9]{1,3})(?=[uUlLbBsS8]{0,3}(?![\w]))")
 _OCTAL = re.compile(r"(?<!\w)0?([0-3][0-7]{2})(?!\w)")

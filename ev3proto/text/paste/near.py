@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 from typing import NamedTuple
 
-from ev3proto.schema.header import frame_size
+from ev3proto.schema.header import frame_end, frame_size
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.frames import (
     HASHES,
@@ -247,7 +247,8 @@ def _is_meant(found: Near, values: Values, before: str) -> bool:
     is_counted = bool({1, 3} & {*values.widths}) and data[LEAST - 1 :] < b"\x80"
     if is_prose(data) and not is_lesson:
         return False
-    if len(data) >= (2 if is_lesson else LEAST) and may_begin(data) and not is_counted:
+    is_begun = may_begin(data) or (found.problem is not None and frame_end(data) == len(data))
+    if len(data) >= (2 if is_lesson else LEAST) and is_begun and not is_counted:
         return True
     is_listed = not {1, 3} & {*values.widths} or before.rstrip().endswith(("[", "{", "("))
     return (is_said and is_stopped and is_listed and len(data) > 1) or (is_lesson and is_said and is_stopped)
@@ -255,15 +256,15 @@ def _is_meant(found: Near, values: Values, before: str) -> bool:
 
 def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     """Returns bytes with what is wrong behind them: a slip, or an ellipsis."""
-    if len(found.data) > 1 and frame_size(found.data) <= len(found.data):
-        return found
     tokens, part = found.values.tokens, found.part
     _, last = found.values.span(part, found.start, found.end)
+    if BYTES[base][last.text] is None:
+        return _stopped(found, last, rows)
+    if len(found.data) > 1 and frame_size(found.data) <= len(found.data):
+        return found
     place = part.first + bisect_left(part.offsets, found.end)
     follows = tokens[place] if place < len(tokens) else None
     line = next(row.line for row in rows if row.number == last.line)
-    if BYTES[base][last.text] is None:
-        return _stopped(found, last, rows)
     if follows is not None and follows.kind == "cut":
         is_half = len(last.text) == 1 and place > 1 and len(tokens[place - 2].text) == 2
         found = found._replace(data=found.data[:-1], end=found.end - 1) if is_half else found

@@ -83,6 +83,12 @@ class Block:
         return self.rows[0].is_offset
 
     @property
+    def _has_index(self) -> bool:
+        """Whether rows count from zero."""
+        first, *others = (row.tokens[0].text for row in self.rows[:2])
+        return first == "0" and others == ["1"] and len(self.rows[0].tokens) > 1
+
+    @property
     def waits(self) -> bool:
         """Whether something in it was not shown yet; a list or a comment that is open is not complete in any case."""
         return self.shown < len(self.rows) and not self.in_comment and not self.rows[-1].is_open
@@ -103,6 +109,8 @@ class Block:
             is_empty = not row.after.strip() and (self.empty <= _MOST_EMPTY or last.is_open)
             return self.in_comment or is_empty or (last.is_open and text.lstrip()[:1] in ("#", "*", ";"))
         data = _data_of(row, self.rows[0], self.places[0])
+        if self.is_dump and len(row.tokens[0].text) != len(self.rows[0].tokens[0].text):
+            return False
         if not row.follows(last, self.places) or self._begins_anew(row, data):
             return False
         self.data += data
@@ -114,8 +122,9 @@ class Block:
 
     def _begins_anew(self, row: Row, data: bytes) -> bool:
         """Returns whether a row is a frame by itself, right or wrong, that the rows so far do not need."""
-        is_dump = self.is_dump and len(row.tokens[0].text) == len(self.rows[0].tokens[0].text)
-        if is_dump or row.tokens[-1].end - row.tokens[0].start < 2 * LEAST:
+        if self._has_index and row.tokens[0].text == self.rows[0].tokens[0].text:
+            return True
+        if self.is_dump or row.tokens[-1].end - row.tokens[0].start < 2 * LEAST:
             return False
         if row.front(0) == self.rows[0].front(0) != self.rows[-1].front(0):
             return True
@@ -125,17 +134,6 @@ class Block:
         if alone is not None and alone.worth.is_whole:
             return not is_needed or not row.is_bare or len(data) != size // (len(self.rows) + 1)
         return not is_needed and frame_end(data) is not None and is_wrong_frame(data, is_alone=True)
-
-    @property
-    def is_one(self) -> bool:
-        """Whether the rows are the bytes of one thing: a dump, a list, a byte in each, or rows of the same length."""
-        first = self.rows[0]
-        if self.is_dump or first.is_open or all(len(row.tokens) == len(first.tokens) <= 3 for row in self.rows):
-            return True
-        starts = [row.first(first, self.places[0]) for row in self.rows]
-        is_literal = any(len(row.tokens) == 1 for row in self.rows[:-1])
-        sizes = [len(row.tokens[-1].text if is_literal else row.tokens) for row in self.rows]
-        return None not in starts and len({*sizes[:-1]}) == 1 and sizes[-1] <= sizes[0]
 
 
 def _data_of(row: Row, first: Row, place: int) -> bytes:
@@ -249,13 +247,11 @@ class Reader:
             problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
             yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)
             return
-        if len(rows) > 1:
-            reading = best(of_rows(rows, block.places))
-            if reading is not None and not (reading.worth.is_whole or block.is_one):
-                reading = None
-            one = near(of_rows(rows, block.places), rows) if reading is None and block.is_one else None
-            if reading is not None or one is not None:
-                yield from self._emit(rows, reading, one, above)
+        for start, places in ((0, block.places), (1, openings(rows[1]) if len(rows) > LEAST else [])):
+            # Without the first row, which may be a heading with a number in it.
+            if len(rows) > 1 and places and (found := _together(rows[start:], places)) is not None:
+                yield from self._line(rows[0], None, above) if start else ()
+                yield from self._emit(rows[start:], *found, above)
                 return
         if block.shown:
             tokens = [token for row in rows for token in block.values_of(row)]
@@ -355,6 +351,37 @@ def _is_sound(reading: Reading) -> bool:
     part = reading.parts[-1]
     fault = parse(part.data[part.frames[-1].start : part.frames[-1].end], strict=False).fault
     return fault is None or not fault.truncated
+
+
+def _together(rows: list[Row], places: list[int]) -> tuple[Reading | None, Near | None] | None:
+    """Returns the frames of several rows, or what was meant as one; None if each row is to be read by itself."""
+    reading, are_one = best(of_rows(rows, places)), _are_one(rows, places[0])
+    if reading is not None and (reading.worth.is_whole or (are_one and _spans_rows(reading, rows))):
+        return reading, None
+    one = near(of_rows(rows, places), rows) if are_one else None
+    if one is None or rows[0].is_offset:
+        return None if one is None else (None, one)
+    first, last = one.values.span(one.part, one.start, one.end)
+    is_row = first.line == last.line and one.problem is None and not one.cut
+    is_each = is_row or any(alone is not None and alone.worth.natural for alone in map(best, map(of_line, rows)))
+    return None if is_each else (None, one)
+
+
+def _spans_rows(reading: Reading, rows: list[Row]) -> bool:
+    """Returns whether a frame is in more than one of some rows, which are not a dump."""
+    spans = (reading.values.span(part, *frame[:2]) for part in reading.parts for frame in part.frames)
+    return rows[0].is_offset or any(first.line != last.line for first, last in spans)
+
+
+def _are_one(rows: list[Row], place: int) -> bool:
+    """Returns whether rows are the bytes of one thing: a dump, a list, a byte in each, or rows of the same length."""
+    first = rows[0]
+    if first.is_offset or first.is_open or all(len(row.tokens) == len(first.tokens) <= 3 for row in rows):
+        return True
+    starts = [row.first(first, place) for row in rows]
+    is_literal = any(len(row.tokens) == 1 for row in rows[:-1])
+    sizes = [len(row.tokens[-1].text if is_literal else row.tokens) for row in rows]
+    return None not in starts and len({*sizes[:-1]}) == 1 and sizes[-1] <= sizes[0]
 
 
 def _is_long(block: Block) -> bool:

@@ -128,8 +128,13 @@ class Values:
 
     @cached_property
     def opens(self) -> list[int]:
-        """The places of the values in front of which a list opens."""
-        return [place for place in self.breaks if _OPENING.search(_CALL.sub("", self.tokens[place].gap))]
+        """The places of the values in front of which a list opens, or something else behind a string."""
+        return [
+            place
+            for place in self.breaks
+            if _OPENING.search(_CALL.sub("", self.tokens[place].gap))
+            or (self.is_mixed and self.tokens[place - 1].kind == "string" and "(" not in self.tokens[place].gap)
+        ]
 
     def parts(self, base: str) -> Iterator[Part]:
         """Yields the values that have bytes in a base, from each that has none to the next."""

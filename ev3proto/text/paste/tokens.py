@@ -114,7 +114,6 @@ FORMS = (
     Form("blank", "0f |# length|", r"(?<=[\s,;)}\]])\#(?![xX$\d]).*"),
     Form("blank", "0f |; length|", r"(?<=[\s,;)}\]]);(?=\s*[^\W\d_]{2}[^()\[\]=;]*$).*"),
     Form("blank", "0f |-- length|", r"(?<=[\s,;)}\]])(?:--\s|%\s|'(?=\s*[A-Za-z]{3}[^']*$)).*"),
-    Form("blank", "0x0f| (^O)|", r"(?<=0x[0-9a-fA-F]{2})\s\((?:\^.|M-\^?.?|.|\d{1,3})\)\s*$"),
     Form("blank", "(byte)", rf"\({_TYPE}\s?\)\s?"),
     Form("blank", "as u8", r"(?<!\w)as\s(?:u8|byte)\b"),
     Form("blank", "&nbsp;", r"&\#?\w{2,5};"),

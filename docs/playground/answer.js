@@ -44,7 +44,7 @@ import { view } from "./view.js";
 
 /** Shows an answer, or what there is of it so far. @type {import("./reading.js").Show} */
 export const show = (answer, isMore, isWhole) => {
-  change({ error: answer.error, canFix: answer.isFixable, canFilter: state().canFilter || answer.count > 1, isStale: false });
+  change({ error: answer.error, isProgram: answer.isProgram, canFix: answer.isFixable, canFilter: state().canFilter || answer.count > 1, isStale: false });
   view(answer, isMore);
   showMade(answer, (form) => source().ask("made", form));
   showDialogues(answer.dialogues, isWhole);

@@ -82,7 +82,7 @@ export const brickFiles = (python, isAllowed) => {
     fetch: ({ path, result }) => {
       saveAs(path.slice(path.lastIndexOf("/") + 1), new Blob([Uint8Array.from(atob(result), (it) => it.charCodeAt(0))]));
     },
-    put: () => open(folder),
+    put: () => { if (box.open) open(folder); },
     delete: () => open(folder),
   };
   return {

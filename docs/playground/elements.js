@@ -59,6 +59,16 @@ export const filled = (element, pieces) => {
   return element;
 };
 
+/** Keeps a choice for later visits, or forgets it. @param {string} name @param {string | null} value */
+export const remember = (name, value) => {
+  try {
+    if (value === null) localStorage.removeItem(name); else localStorage.setItem(name, value);
+  } catch { /* storage may be forbidden */ }
+};
+
+/** Returns a choice of an earlier visit; null for none. @param {string} name */
+export const remembered = (name) => { try { return localStorage.getItem(name); } catch { return null; } };
+
 /** Copies a text, and says in a button whether that worked. @param {string} text @param {string} id */
 export const copy = async (text, id) => {
   try {

@@ -1,7 +1,7 @@
 // The frames in notations of other programs, one tab each. Those of many frames are made when their tab is opened.
 
 import { put } from "./editor.js";
-import { copy, find, inside } from "./elements.js";
+import { copy, find, inside, remember, remembered } from "./elements.js";
 import { derived } from "./notations.js";
 import { home } from "./reading.js";
 
@@ -59,13 +59,9 @@ const showIn = (name) => {
 /** @param {HTMLElement} tab */
 const nameOf = (tab) => tab.dataset.tab ?? "";
 
-/** @param {string} name */
-const remember = (name) => { try { localStorage.setItem(CHOSEN, name); } catch { /* storage may be forbidden */ } };
-const remembered = () => { try { return localStorage.getItem(CHOSEN); } catch { return null; } };
-
 for (const tab of tabs) {
   tab.onclick = () => {
-    remember(nameOf(tab));
+    remember(CHOSEN, nameOf(tab));
     choose(nameOf(tab));
   };
 }
@@ -86,5 +82,5 @@ operations.oninput = async () => {
   if (found.text && !found.error) put(found.text);
 };
 find("copy").onclick = () => copy(made[chosen] ?? "", "copy");
-const before = remembered();
+const before = remembered(CHOSEN);
 choose(before !== null && before in PANELS ? before : "lesson");

@@ -21,6 +21,7 @@ follow((known) => {
   find("verdict").dataset.kind = kind;
   find("say").hidden = !known.sentence && !text;
   find("send", HTMLButtonElement).disabled = !known.isReady;
+  find("download").hidden = !known.isProgram || known.file !== "";
   find("fix").hidden = !known.canFix || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);
   find("filter").hidden = !known.canFilter;

@@ -2,7 +2,7 @@
 
 import { brickFiles } from "./brick_files.js";
 import { openBluetooth, openUsb, Refused } from "./carriers.js";
-import { filled, find, inside, make, saveAs } from "./elements.js";
+import { filled, find, inside, make, remember, remembered, saveAs } from "./elements.js";
 import { change, follow, state } from "./state.js";
 
 const NONE = "Not connected to a real brick: what you send goes to the virtual one below.";
@@ -12,6 +12,9 @@ const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
 const CAPTURE = "./conformance.pcapng";
 const LEAVING = 1000;
+const SILENT = "The brick does not answer. Is it asleep, switched off, or in use by another program? On Bluetooth: is this the port of a brick?";
+/** Where it is kept that nothing is to be asked every second. */
+const QUIET = "quiet";
 
 // Another page may have the right to reach bricks given to it, and could lead clicks to this one.
 const IS_FRAMED = window.top !== window.self;
@@ -66,7 +69,9 @@ export const realBrick = (python) => {
   /** @type {Comparison | null} */
   let result = null;
   let isNew = false;
+  let connected = "";
   const watch = find("watch", HTMLInputElement);
+  watch.checked = remembered(QUIET) === null;
   /** @param {string} text */
   const status = (text) => { find("brick-status").textContent = text; };
 
@@ -81,7 +86,6 @@ export const realBrick = (python) => {
   const showState = () => {
     find("facts").hidden = true;
     find("facts").replaceChildren();
-    watch.checked = false;
     // A real brick has the place of the virtual one.
     find("virtual", HTMLDetailsElement).open = wire === null;
     find("brick-files", HTMLDetailsElement).open = false;
@@ -117,7 +121,9 @@ export const realBrick = (python) => {
       await python().ask("connect", wire.kind, wire.label);
       showState();
       find("recorded").hidden = false;
-      status(`Connected by ${wire.kind === "usb" ? "USB" : "Bluetooth"} to ${wire.label}. What you send goes to it.`);
+      connected = `Connected by ${wire.kind === "usb" ? "USB" : "Bluetooth"} to ${wire.label}. What you send goes to it.`;
+      status(connected);
+      if (watch.checked) await python().ask("watch", true);
     } catch (error) {
       wire = null;
       showState();
@@ -191,16 +197,19 @@ export const realBrick = (python) => {
 
   /** @param {Facts} facts */
   const showFacts = ({ name, firmware, battery, ports = [], silence }) => {
+    if (!wire) return;
+    const said = silence ? SILENT : connected;
+    if (find("brick-status").textContent !== said) status(said);
     if (!watch.checked) return;
     /** @type {(string | undefined)[][]} */
     const rows = [["Name", name], ["Firmware", firmware], ["Battery", battery]];
     rows.push(...ports.map(([port, type, value]) => [`Port ${port}`, `${type}: ${value}`]));
-    if (silence) rows.push(["", silence]);
     find("facts").hidden = false;
     find("facts").replaceChildren(...rows.filter(([, value]) => value).flatMap(([key, value]) => [make("dt", key), make("dd", value)]));
   };
   watch.onchange = () => {
     find("facts").hidden = !watch.checked;
+    remember(QUIET, watch.checked ? null : "yes");
     python().ask("watch", watch.checked);
   };
 

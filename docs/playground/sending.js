@@ -1,7 +1,7 @@
 // The Send button: what is in the input goes to the real brick, or to the virtual one if none is connected.
 
 import { showBench } from "./bench.js";
-import { find } from "./elements.js";
+import { find, saveAs } from "./elements.js";
 import { current, home, source } from "./reading.js";
 import { change, flash, state } from "./state.js";
 
@@ -22,6 +22,14 @@ export const sending = (real) => {
     flash("send", "Sent");
     if (getComputedStyle(find("show-brick")).display !== "none") showBench(true);
   };
+};
+
+find("download").onclick = async () => {
+  await current();
+  /** @type {{program: string | null}} */
+  const { program } = await source().ask("to_send");
+  const bytes = Uint8Array.from(program?.match(/../g) ?? [], (each) => parseInt(each, 16));
+  saveAs("program.rbf", new Blob([bytes]));
 };
 
 /** @param {string} error */

@@ -9,6 +9,7 @@
  * @property {string} sentence  what the frame in the dump does
  * @property {import("./answer.js").Verdict} verdict  what the brick makes of the input
  * @property {string} byte  what the byte says that was chosen last
+ * @property {boolean} isProgram  whether the input is a program
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
  * @property {string} filter  which frames are shown; empty for all
  * @property {boolean} canFilter  whether the input has several frames
@@ -31,6 +32,7 @@ let now = {
   sentence: "",
   verdict: { kind: "", text: "" },
   byte: "",
+  isProgram: false,
   file: "",
   filter: "",
   canFilter: false,

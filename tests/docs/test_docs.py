@@ -13,7 +13,6 @@ import pytest
 from selenium.webdriver import Chrome
 from selenium.webdriver.support.ui import WebDriverWait
 from support.browser import chromium
-from support.site import built_site
 from support.wireshark import Tshark
 
 import ev3proto
@@ -41,12 +40,6 @@ def without_code(text: str) -> str:
 def headings(path: Path) -> list[str]:
     text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     return [re.sub(r"`", "", found) for found in re.findall(r"^#+ (.*)$", text, re.MULTILINE)]
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, as it is built."""
-    return built_site(tmp_path_factory)
 
 
 @pytest.fixture(scope="module")

@@ -28,7 +28,6 @@ from selenium.webdriver.support.ui import Select
 from support.browser import chromium, complaints, scrolls_sideways
 from support.cli import run_ev3proto
 from support.playground import Page, fragment, put_fakes, served_site
-from support.site import built_site
 
 from ev3proto.generate.captures.packets import write_pcapng
 
@@ -50,27 +49,6 @@ def printed(*words: str | Path) -> str:
     done = run_ev3proto(*words)
     assert (done.returncode, done.stderr) == (0, b"")
     return done.stdout.decode()
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, as it is built."""
-    return built_site(tmp_path_factory)
-
-
-@pytest.fixture(scope="module")
-def address(built: Path) -> Iterator[str]:
-    """The site, served as a folder is by Python."""
-    with served_site(built) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
-    """One browser for all tests, whose pages find fakes for USB and Bluetooth."""
-    with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:
-        put_fakes(browser)
-        yield browser
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,8 @@ import pytest
 from selenium.webdriver import Chrome, Keys
 from selenium.webdriver.common.by import By
 from support.browser import chromium, complaints, scrolls_sideways
-from support.playground import Page, fragment, put_fakes, served_site
+from support.playground import Page, fragment
 from support.scripts import node_modules
-from support.site import built_site
 
 WRONG = "0x|08:00|01:00|00|05:00|81:01:61|"
 LOG = """\
@@ -20,27 +19,6 @@ LOG = """\
 09:12:31.6 Recv 0x|07:00|01:00|02|66:66:F6:40|
 09:12:31.7 Sent 0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|
 """
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documentation, as it is built."""
-    return built_site(tmp_path_factory)
-
-
-@pytest.fixture(scope="module")
-def address(built: Path) -> Iterator[str]:
-    """The site, served as a folder is by Python."""
-    with served_site(built) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
-    """One browser for all tests, whose pages find fakes for USB and Bluetooth."""
-    with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:
-        put_fakes(browser)
-        yield browser
 
 
 @pytest.fixture

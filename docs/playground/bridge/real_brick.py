@@ -67,6 +67,9 @@ MOST_ANSWERS = 100
 MOST_LATE = 256
 
 DIALECT = "official"
+
+PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
+"""Where a program of the input is written on a brick."""
 _KEY = 0
 _NO_CHANGE = -1
 _DEVICES = DEVICE_TYPES.keys() - {TYPE.members["TYPE_NONE"]}
@@ -386,6 +389,17 @@ class RealBrick:
             path: The folder or file.
             data: What is written.
         """
+        self._move(action, path, data, lambda: None)
+
+    def run(self, image: bytes, *, is_allowed: bool) -> dict[str, Any]:
+        """Writes a program on the brick and starts it; returns as `send` does."""
+        if not is_allowed:
+            return {"ask": [f"Writes {PROGRAM} on the brick, and starts it."]}
+        self._move("put", PROGRAM, image, lambda: self.panel("start", PROGRAM, is_allowed=True))
+        return {}
+
+    def _move(self, action: str, path: str, data: bytes, then: Callable[[], object]) -> None:
+        """Does something with a file, and then something else if that succeeds."""
         task = TASKS[action](path, data)
         said: dict[str, Any] = {"action": action, "path": path, "error": ""}
 
@@ -405,7 +419,12 @@ class RealBrick:
                 said["error"] = str(error)
             return Outcome()
 
-        self.converse(talk(), lambda *_: self.tell(files=said))
+        def done(*_: object) -> None:
+            self.tell(files=said)
+            if not said["error"]:
+                then()
+
+        self.converse(talk(), done)
         self._advance()
 
     def panel(self, action: str, text: str, *, is_allowed: bool) -> dict[str, Any]:

@@ -123,7 +123,7 @@ def cooked() -> bytes:
     return pcap(276, timed([head + packet for packet in packets]))
 
 
-BOTH_READ = {
+BOTH_READ: dict[str, tuple[Callable[[], bytes], str]] = {
     "PacketLogger on PowerPC": (lambda: packetlogger(hci_packets(), ">"), "pklg"),
     "PacketLogger": (lambda: packetlogger(hci_packets(), "<"), "pklg"),
     "btsnoop without packet types": (without_types, "log"),

@@ -27,6 +27,8 @@ from ev3proto.tables.declaration import Effect, declarations
 from ev3proto.tables.system import SYSTEM
 from ev3proto.version import VERSION
 
+pytest_plugins = ["support.playground_fixtures"]
+
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = sorted([*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md")])

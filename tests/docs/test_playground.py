@@ -31,6 +31,8 @@ from support.playground import Page, fragment, put_fakes, served_site
 
 from ev3proto.generate.captures.packets import write_pcapng
 
+pytest_plugins = ["support.playground_fixtures"]
+
 ROOT = Path(__file__).parents[2]
 CAPTURES = ROOT / "captures"
 TONE = "0e002a0080000094010182b80182e803"

@@ -12,6 +12,8 @@ from support.playground import Page
 
 from ev3proto.program import parse as parse_program
 
+pytest_plugins = ["support.playground_fixtures"]
+
 BLINKS = "vmthread MAIN\n{\n  UI_WRITE(LED, LED_RED)\n}\n"
 PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
 

@@ -13,6 +13,8 @@ from support.browser import chromium, complaints, scrolls_sideways
 from support.playground import Page, fragment
 from support.scripts import node_modules
 
+pytest_plugins = ["support.playground_fixtures"]
+
 WRONG = "0x|08:00|01:00|00|05:00|81:01:61|"
 LOG = """\
 09:12:31.5 Sent 0x|08:00|01:00|00|01:00|81:01:60|

@@ -9,6 +9,7 @@ import copy
 import dataclasses
 import pickle
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from support.cpu_time import seconds
@@ -575,10 +576,12 @@ def test_refusals(build: Callable[[], object], words: list[str]) -> None:
 def test_the_numbers_of_a_message_have_limits(field: str, is_low: bool) -> None:
     message = ev3proto.parse(bytes.fromhex("0700 2A00 0A A0 00 01 01"), strict=False)
     most = 65535 if field == "counter" else 255
-    legal, wrong = (0, -1) if is_low else (most, most + 1)
-    assert len(dataclasses.replace(message, **{field: legal}).build()) == 9
-    with pytest.raises(BuildError, match=f"{field} cannot be {wrong}: it is a whole number from 0 to {most}"):
-        dataclasses.replace(message, **{field: wrong}).build()
+    legal: dict[str, Any]
+    wrong: dict[str, Any]
+    legal, wrong = ({field: 0}, {field: -1}) if is_low else ({field: most}, {field: most + 1})
+    assert len(dataclasses.replace(message, **legal).build()) == 9
+    with pytest.raises(BuildError, match=f"{field} cannot be {wrong[field]}: it is a whole number from 0 to {most}"):
+        dataclasses.replace(message, **wrong).build()
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from selenium.webdriver import Chrome
+
 from support.browser import chromium
 from support.playground import put_fakes, served_site
 from support.site import built_site

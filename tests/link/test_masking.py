@@ -97,6 +97,21 @@ def test_commands(frame: bytes) -> None:
 
 
 @pytest.mark.parametrize(
+    ("frame", "shown"),
+    [
+        ("0800 2A00 81 9F 01 00 01 00", "0800 2A00 81 9F 01 00 01 00"),
+        ("0A00 2A00 81 9F 02 31 00 02 32 00", "0A00 2A00 81 9F 02 78 00 02 78 00"),
+        ("0C00 2A00 81 9F 03 61 62 00 03 31 32 00", "0C00 2A00 81 9F 03 78 78 00 03 78 78 00"),
+        ("0600 2A00 81 A1 61 00", "0600 2A00 81 A1 78 00"),
+    ],
+    ids=["no letters", "one letter", "two letters", "one text"],
+)
+def test_all_letters_of_a_text_are_hidden_and_its_zero_is_shown(frame: str, shown: str) -> None:
+    """BLUETOOTHPIN has two texts with their sizes, SETBUNDLEID one to its zero."""
+    assert masked(bytes.fromhex(frame)) == bytes.fromhex(shown)
+
+
+@pytest.mark.parametrize(
     ("reply", "request_"),
     [
         (replying(MEMORY), NAME),

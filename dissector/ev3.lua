@@ -2945,8 +2945,8 @@ do
     -- Maximum number of places in one piece of a stream where a frame is parsed.
     local MOST_TRIALS = 64
 
-    -- Maximum number of following headers that are checked.
-    local MOST_FOLLOWING = 2
+    -- Number of following headers that confirm a frame, which are checked at most.
+    finding.MOST_FOLLOWING = 2
 
     -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
@@ -3037,7 +3037,7 @@ do
     -- Counts consecutive headers from an offset on, a few at most; nil if none can start there.
     function finding.follow(text, at)
         local size, count = #text, 0
-        while at < size and count < MOST_FOLLOWING do
+        while at < size and count < finding.MOST_FOLLOWING do
             at = after_polls(text, at)
             if at < size and not may_start(text, at) then return nil end
             if size - at < HEADER_SIZE then break end
@@ -3261,8 +3261,9 @@ do
         local is_chained = not is_whole or finding.follow(text, stop)
         if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local is_likely = is_chained and (is_whole or finding.may_become(text, at, accepts))
-        local place, following = finding.find_step(text, at + 1, accepts, is_likely and 1 or 0)
+        local least = is_whole and 1 or finding.MOST_FOLLOWING
+        if not is_chained or not is_whole and not finding.may_become(text, at, accepts) then least = 0 end
+        local place, following = finding.find_step(text, at + 1, accepts, least)
         return following ~= nil and place < stop
     end
 
@@ -4276,4 +4277,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 8f769b1273e80620
+-- Checksum of the lines above, by which a changed file is recognised: a97c881aeda25403

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
-from ev3proto.capture.finding import Accepts, Finder, Found
+from ev3proto.capture.finding import MOST_FOLLOWING, Accepts, Finder, Found
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
@@ -384,7 +384,7 @@ class Cutter:
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
         """Returns whether the apparent start of a frame is misleading."""
         if not is_last and self._finder.may_become(buffer, at):
-            return self._finder.next_step(buffer, at + 1, (), self.accepts, 2)[0] is Found.CHAIN
+            return self._finder.next_step(buffer, at + 1, (), self.accepts, MOST_FOLLOWING)[0] is Found.CHAIN
         found, _ = self._finder.next_step(buffer, at + 1, self._begins(), self.accepts)
         return found in (Found.SINGLE, Found.CHAIN) or (self._trials > 0 and not is_last)
 

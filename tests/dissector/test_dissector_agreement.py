@@ -354,10 +354,9 @@ class Conversation:
 def agree(tshark: Tshark, dialect: str, drawn_frames: Iterable[bytes], *words: str) -> None:
     """Puts frames into their own connection, and compares what is shown of them and of their replies.
 
-    It begins with a tone: not every frame claims a connection. The seed decides where frames are split. With seed 1,
-    the first 66 bytes of a frame look like another to the dissector, but not to the codec, which is not mended yet.
+    It begins with a tone: not every frame claims a connection. The seed decides where frames are split.
     """
-    conversation = Conversation(dialect, seed=2)
+    conversation = Conversation(dialect, seed=1)
     conversation.say([TONE, *drawn_frames])
     segments, found = in_segments(conversation.said, conversation.chance)
     words = ("-o", f"ev3.firmware:{dialect}", *words)
@@ -446,3 +445,18 @@ def test_a_length_counts_for_its_own_operation(tshark: Tshark) -> None:
     said = [(True, command.build()), (False, reply.build())]
     segments, found = in_segments(said, random.Random(0))
     check(tshark, tshark.place(tcp_capture(segments), "drawn.pcap"), found)
+
+
+def test_a_frame_that_has_another_and_a_header_in_its_first_packet(tshark: Tshark) -> None:
+    """One header does not confirm the inner frame while the outer one may have no fault: two would."""
+    # INIT_BYTES of six values: 83 0A00937F is one, and the length, counter and type of the inner frame begin in it.
+    inner = bytes.fromhex("0a00937f 00 0000 83020000 80")
+    values = b"\x83" + inner + bytes.fromhex("83 02000000")
+    data = bytes.fromhex("2f 40 06") + values + TONE[7:]
+    frame = struct.pack("<HHBH", 5 + len(data), 7, 0x80, 6 << 10) + data
+    assert ev3proto.parse(inner).build() == inner
+    parts = (TONE, frame[:-9], frame[-9:])
+    capture = tshark.place(tcp_capture(Segment(True, part) for part in parts), "inner.pcap")
+    found = [Frame(1, 0.0, True, TONE), Frame(3, 2.0 * MILLISECONDS_EACH, True, frame)]
+    for words in ((), ("-2",)):
+        check(tshark, capture, found, *words)

@@ -7,8 +7,8 @@ do
     -- Maximum number of places in one piece of a stream where a frame is parsed.
     local MOST_TRIALS = 64
 
-    -- Maximum number of following headers that are checked.
-    local MOST_FOLLOWING = 2
+    -- Number of following headers that confirm a frame, which are checked at most.
+    finding.MOST_FOLLOWING = 2
 
     -- The minimum size of a command that is cut or inside a packet: one byte of operations, as NOP, proves nothing.
     local LEAST = COMMAND_HEADER_SIZE + 2
@@ -99,7 +99,7 @@ do
     -- Counts consecutive headers from an offset on, a few at most; nil if none can start there.
     function finding.follow(text, at)
         local size, count = #text, 0
-        while at < size and count < MOST_FOLLOWING do
+        while at < size and count < finding.MOST_FOLLOWING do
             at = after_polls(text, at)
             if at < size and not may_start(text, at) then return nil end
             if size - at < HEADER_SIZE then break end

@@ -124,8 +124,9 @@ do
         local is_chained = not is_whole or finding.follow(text, stop)
         if is_chained and at > 0 then return false end
         if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local is_likely = is_chained and (is_whole or finding.may_become(text, at, accepts))
-        local place, following = finding.find_step(text, at + 1, accepts, is_likely and 1 or 0)
+        local least = is_whole and 1 or finding.MOST_FOLLOWING
+        if not is_chained or not is_whole and not finding.may_become(text, at, accepts) then least = 0 end
+        local place, following = finding.find_step(text, at + 1, accepts, least)
         return following ~= nil and place < stop
     end
 

@@ -297,32 +297,16 @@ def _atoms(notation: _Notation, text: str, at: int, data: bytes) -> list[_Atom] 
 
 def _rewritten(notation: _Notation, text: str, atoms: list[_Atom], old: bytes, new: bytes) -> str | None:
     """Returns the text with the new bytes in place of the old ones; None if their number must stay."""
-    # If their number stays, so do their places; a comparison may see one of them move.
-    opcodes = SequenceMatcher(None, old, new, autojunk=False).get_opcodes() if len(new) != len(old) else ()
-    kept = [bytes((byte,)) for byte in (old if opcodes else new)]
-    for tag, begin, end, start, stop in opcodes:
-        if tag != "equal":
-            if stop - start > end - begin:
-                return None
-            fresh = [bytes((byte,)) for byte in new[start:stop]]
-            kept[begin:end] = fresh + [b""] * (end - begin - len(fresh))
+    kept = _in_place(old, new)
     gaps = [text[one.end : other.start].rpartition("\n") for one, other in pairwise(atoms)]
-    if len(new) < len(old) and any(end and _WORD.search(start) for _, end, start in gaps):
+    if kept is None or (len(new) < len(old) and any(end and _WORD.search(start) for _, end, start in gaps)):
         # Rows with offsets or indexes have a fixed number of bytes.
         return None
-    digits = [atom.digits for atom in atoms]
-    letters = "".join(digits)
-    style = _Style(
-        is_padded=all(len(each) > 1 for each in digits),
-        is_upper=letters != letters.lower(),
-        is_signed=any(each.startswith("-") or each.lower().startswith("ffffff") for each in digits),
-    )
+    style, fresh = _style_of(atoms), iter(kept)
     pieces: list[str] = []
-    done = place = 0
-    is_joined = False
+    done, is_joined = 0, False
     for number, atom in enumerate(atoms):
-        data = b"".join(kept[place : place + len(atom.data)])
-        place += len(atom.data)
+        data = b"".join(islice(fresh, len(atom.data)))
         gap = "" if is_joined else text[done : atom.start]
         done, is_joined = atom.end, False
         if data == atom.data:
@@ -337,3 +321,29 @@ def _rewritten(notation: _Notation, text: str, atoms: list[_Atom], old: bytes, n
             done = done if separator is None else separator.end()
             pieces.append(gap)
     return "".join([*pieces, text[done:]])
+
+
+def _in_place(old: bytes, new: bytes) -> list[bytes] | None:
+    """Returns the new bytes that stand in place of each old one, which may be none; None if there are too many."""
+    if len(new) == len(old):
+        # If their number stays, so do their places; a comparison may see one of them move.
+        return [bytes((byte,)) for byte in new]
+    kept = [bytes((byte,)) for byte in old]
+    for tag, begin, end, start, stop in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        if stop - start > end - begin:
+            return None
+        if tag != "equal":
+            fresh = [bytes((byte,)) for byte in new[start:stop]]
+            kept[begin:end] = fresh + [b""] * (end - begin - len(fresh))
+    return kept
+
+
+def _style_of(atoms: list[_Atom]) -> _Style:
+    """Returns how the numbers of a text are written."""
+    digits = [atom.digits for atom in atoms]
+    letters = "".join(digits)
+    return _Style(
+        is_padded=all(len(each) > 1 for each in digits),
+        is_upper=letters != letters.lower(),
+        is_signed=any(each.startswith("-") or each.lower().startswith("ffffff") for each in digits),
+    )

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
-from functools import cache
+from collections.abc import Container, Iterator, Mapping, Sequence
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 from ev3proto.capture.filter.values import FilterValue, Kind, Name
@@ -47,30 +47,27 @@ def find_field(name: str) -> Name | None:
 
     The name of a command with a single parameter also means that parameter (`LED`), unless a parameter has the name.
     """
+    places = _places_of(name)
+    return Name(_kind(places), partial(_values, name, {place.owner: place for place in places})) if places else None
+
+
+def _places_of(name: str) -> list[FieldPlace]:
+    """Returns the parameters and fields that a name means."""
     owner, _, base = name.upper().rpartition(".")
-    base, bracket, _ = base.partition("[")
+    base = base.partition("[")[0]
     places = _places().get(base) or [
         _place(entry, entry.parameters[0])
         for entry in _declared()
         if entry.command is not None and entry.command.name == base and len(entry.parameters) == 1
     ]
-    if owner and owner != _ANY:
-        owners = operation_names().get(owner, ()) or (owner,)
-        places = [place for place in places if place.owner in owners]
-    element = name.lower().rpartition(".")[2]
-    by_owner = {place.owner: place for place in places}
+    owners = operation_names().get(owner, ()) or (owner,)
+    return [place for place in places if owner in ("", _ANY) or place.owner in owners]
 
-    def read(record: Record) -> Iterator[FilterValue]:
-        for owner, called, value in _named_values(record, by_owner):
-            place = by_owner.get(owner)
-            if place and (called.lower() == element if bracket else called.partition("[")[0] == place.name):
-                yield from (
-                    FilterValue(each, place.enum, place.unit)
-                    for each in (value if isinstance(value, list) else [value])
-                )
 
+def _kind(places: Sequence[FieldPlace]) -> Kind:
+    """Returns the type of the values at some places."""
     held = {place.holds for place in places}
-    kind = Kind(
+    return Kind(
         " or ".join(text for type_, text in _WHAT.items() if type_ in held),
         number=int in held,
         text=str in held,
@@ -78,7 +75,16 @@ def find_field(name: str) -> Name | None:
         enums=tuple({place.enum.name: place.enum for place in places if place.enum}.values()),
         units=tuple(dict.fromkeys(place.unit for place in places if place.unit)),
     )
-    return Name(kind, read) if places else None
+
+
+def _values(name: str, by_owner: Mapping[str, FieldPlace], record: Record) -> Iterator[FilterValue]:
+    """Yields the values of a name in a record; a name with an index means one value."""
+    element = name.lower().rpartition(".")[2]
+    for owner, called, value in _named_values(record, by_owner):
+        place = by_owner.get(owner)
+        if place and (called.lower() == element if "[" in element else called.partition("[")[0] == place.name):
+            for each in value if isinstance(value, list) else [value]:
+                yield FilterValue(each, place.enum, place.unit)
 
 
 def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str, str, Any]]:

@@ -6,7 +6,7 @@ import fnmatch
 import operator
 import re
 import struct
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any, NamedTuple
@@ -187,11 +187,7 @@ class Kind:
         text, written = word.text, f'"{word.text}"' if word.is_quoted else word.text
         members = self.names or tuple(member for enum in self.enums for member in enum.members)
         if relation == "==" and members and (self.names or not (word.is_quoted or word.number is not None)):
-            unknown = f"unknown {self.what} {text}" if self.names else f"{name} has no value {text}"
-            if "*" in text:
-                return f"{unknown}; use like for patterns"
-            known = f": known are {', '.join(members)}" if len(members) <= _MOST_LISTED else "; see --help-filter"
-            return unknown + (self.hint(text) or near_misses(text, members) or known)
+            return self._unknown(name, text, members)
         if self.is_bare:
             return f"{name} cannot be compared by {relation}; use == or !="
         if word.quantity is not None and self.units:
@@ -199,6 +195,14 @@ class Kind:
         if self.text and not word.is_quoted and word.number is None:
             return f'texts need quotes: {name} {relation} "{text}"'
         return f"{name} is {self.what}; it cannot be compared by {relation} with {written}"
+
+    def _unknown(self, name: str, text: str, members: Sequence[str]) -> str:
+        """Returns the sentence about a word that is none of the names, with suggestions."""
+        unknown = f"unknown {self.what} {text}" if self.names else f"{name} has no value {text}"
+        if "*" in text:
+            return f"{unknown}; use like for patterns"
+        known = f": known are {', '.join(members)}" if len(members) <= _MOST_LISTED else "; see --help-filter"
+        return unknown + (self.hint(text) or near_misses(text, members) or known)
 
 
 class Name(NamedTuple):

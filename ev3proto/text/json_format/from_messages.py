@@ -30,34 +30,40 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
     """
     message = exchange.message
     frame = message.build() if seen.frame is None else seen.frame
-    entry: dict[str, Any] = {"kind": message.kind}
-    if message.type is not None:
-        entry["type"] = message.type.name
+    fault = message.fault
+    entry = {
+        "kind": message.kind,
+        "type": None if message.type is None else message.type.name,
+        "length": _length(message, frame),
+        "counter": None if message.type is None else message.counter,
+        "direction": seen.direction,
+        "time": seen.time,
+        **_contents(message),
+        **_values(exchange),
+        "fault": fault and {"offset": fault.offset, "reason": fault.reason},
+        "cut": seen.cut or None,
+        "unknown": sorted(seen.unknown) or None,
+        "rest": message.rest.hex() or None,
+        "note": exchange.note,
+        "hex": frame.hex(),
+    }
+    return {key: value for key, value in entry.items() if value is not None or key == "command"}
+
+
+def _length(message: Message, frame: bytes) -> int | None:
+    """Returns what the length field says, or would say; None for bytes that are too short for a frame."""
     if message.stated_length is not None:
-        entry["length"] = message.stated_length
-    elif message.fault is None or message.type is not None:
-        entry["length"] = len(frame) - LENGTH_FIELD
-    entry["counter"] = message.counter if message.type is not None else None
-    if seen.direction is not None:
-        entry["direction"] = seen.direction
-    if seen.time is not None:
-        entry["time"] = seen.time
-    entry.update(_contents(message))
+        return message.stated_length
+    return None if message.fault is not None and message.type is None else len(frame) - LENGTH_FIELD
+
+
+def _values(exchange: Exchange) -> dict[str, Any]:
+    """Returns the values of a reply, or what its bytes may mean if its command is unknown."""
+    message = exchange.message
     if exchange.request is not None or isinstance(message, SystemReply):
-        entry["values"] = [_value(value) for value in exchange.values]
-    elif isinstance(message, DirectReply) and (found := guesses(message.memory)):
-        entry["readings"] = {kind: _plain(value) for kind, value in found.items()}
-    if message.fault is not None:
-        entry["fault"] = {"offset": message.fault.offset, "reason": message.fault.reason}
-    if seen.cut:
-        entry["cut"] = True
-    if seen.unknown:
-        entry["unknown"] = sorted(seen.unknown)
-    if message.rest:
-        entry["rest"] = message.rest.hex()
-    entry["note"] = exchange.note
-    entry["hex"] = frame.hex()
-    return {key: value for key, value in entry.items() if value is not None or key in ("command",)}
+        return {"values": [_value(value) for value in exchange.values]}
+    found = guesses(message.memory) if isinstance(message, DirectReply) else None
+    return {"readings": {kind: _plain(value) for kind, value in found.items()}} if found else {}
 
 
 def _contents(message: Message) -> dict[str, Any]:

@@ -187,47 +187,63 @@ class Connections:
             self._account.other += len(packet.data)
             return ()
         self._account.headers += len(packet.data) - len(data)
-        ended: list[Event] = []
         events: list[Event] = []
-        if flags & SYN:
-            sequence = start = (sequence + 1) & 0xFFFFFFFF
-            if half is None or half.start != start:
-                if half is not None:
-                    ended += self._end_half(half)
-                    if not flags & ACK:
-                        # The new connection has no replies to commands of the old one.
-                        half.connection.conversation = self._context.conversation()
-                half = self._open(packet, segment, start, ended)
-        elif half is None:
-            if not data:
-                return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
-            half = self._open(packet, segment, None, ended)
-        else:
+        if half is not None and not flags & SYN:
             self._connections.move_to_end(half.connection.ends)
-        stream, reassembly = half.stream, half.reassembly
+        elif flags & SYN:
+            sequence = (sequence + 1) & 0xFFFFFFFF
+            half = self._started(packet, segment, sequence, half, events, is_answer=bool(flags & ACK))
+        elif data:
+            half = self._open(packet, segment, None, events)
+        else:
+            return self._acknowledge(self._halves.get(reversed_ends(ends)), acknowledged) if flags & ACK else events
         if half.interface is not packet.interface:
             half.interface = packet.interface
-            stream.route = self._route(packet, ends, half.is_from_host)
-        is_waiting = False
-        missing = _missing(packet) if len(packet.data) < packet.size else 0
+            half.stream.route = self._route(packet, ends, half.is_from_host)
         if data:
-            stream.packet = packet
-            piece = Piece(data, packet.number, packet.time_ns, missing)
-            if reassembly.takes_next(sequence, piece):
-                events = half.claim.feed(stream, piece)
-                is_waiting = not half.claim.is_claimed or bool(stream.times)
-            else:
-                events = self._given(half, reassembly.add(sequence, piece))
-                is_waiting = True
-            if not half.claim.is_claimed:
-                self._account.count_strange(half.connection.place)
-        if is_waiting or half.size:
-            self._weigh(half)
+            missing = _missing(packet) if len(packet.data) < packet.size else 0
+            events += self._taken(half, sequence, Piece(data, packet.number, packet.time_ns, missing), packet)
         if flags & ACK and half.back is not None:
             events += self._acknowledge(half.back, acknowledged)
         if flags & RST:
             events += self._end_half(half)
-        return ended + events if ended else events
+        return events
+
+    def _started(
+        self,
+        packet: Packet,
+        segment: Transport,
+        start: int,
+        half: _Half | None,
+        ended: list[Event],
+        *,
+        is_answer: bool,
+    ) -> _Half:
+        """Returns the direction that a SYN begins, and ends the one of an earlier connection between the same ends."""
+        if half is not None:
+            if half.start == start:
+                return half
+            ended += self._end_half(half)
+            if not is_answer:
+                # The new connection has no replies to commands of the old one.
+                half.connection.conversation = self._context.conversation()
+        return self._open(packet, segment, start, ended)
+
+    def _taken(self, half: _Half, sequence: int, piece: Piece, packet: Packet) -> list[Event]:
+        """Returns the events that the data of a segment complete."""
+        stream, reassembly = half.stream, half.reassembly
+        stream.packet = packet
+        if reassembly.takes_next(sequence, piece):
+            events = half.claim.feed(stream, piece)
+            is_waiting = not half.claim.is_claimed or bool(stream.times)
+        else:
+            events = self._given(half, reassembly.add(sequence, piece))
+            is_waiting = True
+        if not half.claim.is_claimed:
+            self._account.count_strange(half.connection.place)
+        if is_waiting or half.size:
+            self._weigh(half)
+        return events
 
     def _weigh(self, half: _Half) -> None:
         """Updates the budget with the pending bytes of a direction."""

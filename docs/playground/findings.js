@@ -2,9 +2,6 @@
 
 import { filled, find, make } from "./elements.js";
 
-/** A line of bytes below a finding, or of marks under them. */
-const EXCERPT = /^ *(\+\d+)? \|/;
-
 /** @typedef {(code: string) => Promise<string>} Explain  tells what a code means */
 
 /** Shows findings. @param {import("./answer.js").Findings} findings @param {Explain} explain */
@@ -32,7 +29,7 @@ const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
     const text = textOf(pieces);
     const line = filled(make("div", "", text ? "" : "gap"), pieces);
     line.append("\n");
-    if (EXCERPT.test(text)) {
+    if (pieces[0]?.[1] === "gutter") {
       if (!excerpt) {
         excerpt = make("div", "", "excerpt");
         box.append(excerpt);

@@ -31,6 +31,7 @@ STYLES: dict[str, dict[str, Any]] = {
     Role.VALUE: {"fg": "yellow"},
     Role.MEANING: {"fg": "magenta"},
     Role.ASIDE: {"dim": True},
+    Role.GUTTER: {"dim": True},
     Role.FAULT: {"fg": "red", "bold": True},
 }
 

@@ -59,14 +59,14 @@ class Excerpt:
         for start, length in unknown:
             first, after = _BYTE * start, _BYTE * (start + length)
             self._hex = self._hex[:first] + " ??" * length + self._hex[after:]
-        lines: list[Spans] = [[(f"{self.margin} |", Role.ASIDE)]]
+        lines: list[Spans] = [[(f"{self.margin} |", Role.GUTTER)]]
         last = max(at + size - 1, at) // ROW
         rows = range(min(max(at // ROW - 1, 0), max(self._rows_in_all - MOST_ROWS, 0)), self._rows_in_all)
         for number in rows[:MOST_ROWS]:
             row, under = self._row(number * ROW, at, at + size, Role.NAME, "")
             lines += [row, under] if at // ROW <= number <= last else [row]
         if len(rows) > MOST_ROWS:
-            lines.append([("...".rjust(self._width) + " | ...", Role.ASIDE)])
+            lines.append([("...".rjust(self._width) + " | ...", Role.GUTTER)])
         message = self._message
         names = [operation.full_name for operation in self._operations or ()]
         if isinstance(message, SystemCommand) and message.command is not None:
@@ -81,7 +81,7 @@ class Excerpt:
 
     def show(self, finding: Finding, role: str) -> list[Spans]:
         """Returns the rows with a finding's bytes underlined, and the meaning of the bytes and of their operation."""
-        lines: list[Spans] = [[(f"{self.margin} |", Role.ASIDE)], *self._rows(finding, role)] if self._size else []
+        lines: list[Spans] = [[(f"{self.margin} |", Role.GUTTER)], *self._rows(finding, role)] if self._size else []
         text = self._decoded(finding)
         if text:
             lines.append([(f"{self.margin} = {text}", Role.ASIDE)])
@@ -99,7 +99,7 @@ class Excerpt:
         for number in range(first, last + 1):
             if first + MOST_ROWS - 1 <= number < last:
                 if number == first + MOST_ROWS - 1:
-                    lines.append([("...".rjust(self._width) + " | ...", Role.ASIDE)])
+                    lines.append([("...".rjust(self._width) + " | ...", Role.GUTTER)])
                 continue
             lines += self._row(number * ROW, start, end, role, self._label(finding) if number == last else "")
         return lines
@@ -112,13 +112,13 @@ class Excerpt:
         marks = "^" * (max(after - first, _BYTE) - 1)
         row_line = [
             # The plus keeps readers of pasted frames from taking the row for one.
-            (f"{f'+{row}'.rjust(self._width)} |", Role.ASIDE),
+            (f"{f'+{row}'.rjust(self._width)} |", Role.GUTTER),
             (digits[_BYTE * row : min(first, stop)], Role.PLAIN),
             (digits[first:after], role),
             (digits[max(after, first) : stop], Role.PLAIN),
         ]
         under = [
-            (f"{self.margin} |", Role.ASIDE),
+            (f"{self.margin} |", Role.GUTTER),
             (" " * (first - _BYTE * row + 1), Role.PLAIN),
             (marks, role),
             (f" {label}" if label else "", Role.PLAIN),

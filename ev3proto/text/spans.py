@@ -48,6 +48,7 @@ class Role:
     MEANING: Final = "meaning"
     ASIDE: Final = "aside"
     FAULT: Final = "fault"
+    GUTTER: Final = "gutter"  # in front of bytes of a frame, and of marks under them
 
 
 Span = tuple[str, str]

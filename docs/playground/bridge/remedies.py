@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from ev3proto.checking.checking import check
 from ev3proto.schema.frame import parse
 from ev3proto.text.forms import as_hex
-from ev3proto.text.paste.frames import with_header, without_length
+from ev3proto.text.paste.frames import NO_LENGTH, OPERATIONS, with_header, without_length
 
 _LETTERS = str.maketrans("OolI", "0011")
 """Letters that look like digits."""
@@ -17,19 +17,14 @@ _LETTERS = str.maketrans("OolI", "0011")
 _BETWEEN = re.compile(r"0[xX]|\\x|[\s,:;|.'\"{}()\[\]-]")
 """What may be between the bytes of a frame in hex."""
 
-_LABELS = {"length-missing": "Add the length"}
+_ADD_LENGTH, _ADD_HEADER = "Add the length", "Add a header"
+_LABELS = {"length-missing": _ADD_LENGTH}
 """The labels of slips whose remedy has a better name than "Use this"."""
-
-
-_FLAGS = {"--no-length reads": '"Add the length" reads', "--operations reads": '"Add a header" reads'}
-"""What the command line advises, and the buttons of the page that do it."""
 
 
 def with_buttons(advice: str) -> str:
     """Returns advice with buttons of the page in place of options of the command line."""
-    for flag, button in _FLAGS.items():
-        advice = advice.replace(flag, button)
-    return advice
+    return advice.replace(NO_LENGTH, f'"{_ADD_LENGTH}"').replace(OPERATIONS, f'"{_ADD_HEADER}"')
 
 
 def remedies(text: str) -> str:
@@ -48,7 +43,7 @@ def _meant(text: str) -> Iterator[tuple[str, bytes]]:
             yield label, data
     if data is None or _is_right(data):
         return
-    for label, frame in (("Add the length", without_length(data)), ("Add a header", with_header(data))):
+    for label, frame in ((_ADD_LENGTH, without_length(data)), (_ADD_HEADER, with_header(data))):
         if frame is not None and _is_right(frame):
             yield label, frame
     for each in check(data, alone=True).nearest:

@@ -30,9 +30,7 @@ from ev3proto.cli.check_output import (
 from ev3proto.cli.edited import EditedFile
 from ev3proto.cli.options import exclusive, gathered, incompatible, json_option
 from ev3proto.cli.output import Printer, complain, say_json
-from ev3proto.cli.problems import Other, Problems
-from ev3proto.cli.reading import made_of, reading_options
-from ev3proto.cli.words import named
+from ev3proto.cli.reading import Other, Problems, made_of, named, reading_options
 from ev3proto.errors import counted, near_misses
 from ev3proto.reading.items import Image, Source, SourceKind
 from ev3proto.reading.kinds import introduction

@@ -11,11 +11,8 @@ import click
 
 from ev3proto.capture.record import Announcement, Record
 from ev3proto.cli.options import exclusive
-from ev3proto.cli.problems import Captured, Problems
-from ev3proto.cli.reading import reading_options
-from ev3proto.cli.recorded import Dialogues, matching, show_announcement, show_record
-from ev3proto.cli.show import FORMATS, Show
-from ev3proto.cli.words import named
+from ev3proto.cli.reading import Captured, Problems, named, reading_options
+from ev3proto.cli.show import FORMATS, Dialogues, Show, matching
 from ev3proto.reading.faults import Faults
 from ev3proto.reading.items import Event, Image, Source
 from ev3proto.reading.options import Options, Sources
@@ -44,13 +41,13 @@ class _Decoding:
         for event in self._beside_images(self._reading.events()):
             start_ns = self._reading.part.account.first_ns or 0
             if isinstance(event, Announcement):
-                show_announcement(self._show, event, start_ns)
+                self._show.announcement(event, start_ns)
             elif isinstance(event, Record):
                 is_text = event.written is not None and not is_filtered
                 if is_text:
                     self._show.exchange(event.exchange, event.seen, event.rest)
                 else:
-                    show_record(self._show, event, start_ns)
+                    self._show.record(event, start_ns)
                 self._complain_of(event, is_text=is_text)
 
     def dialogues(self, chosen: Filter | None) -> None:

@@ -14,9 +14,7 @@ import click
 from ev3proto.capture.record import Record
 from ev3proto.cli.options import PATH, Whole, gathered, given_options, incompatible, reply_option
 from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import made_of, reading_options
-from ev3proto.cli.words import named
+from ev3proto.cli.reading import Problems, made_of, named, reading_options
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import Message
 from ev3proto.reading.items import Source

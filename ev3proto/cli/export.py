@@ -23,9 +23,7 @@ from ev3proto.cli.output import (
     refuse_terminal,
     write_text,
 )
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import reading_options
-from ev3proto.cli.words import named
+from ev3proto.cli.reading import Problems, named, reading_options
 from ev3proto.errors import BuildError
 from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame

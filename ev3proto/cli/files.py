@@ -13,8 +13,7 @@ import click
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say, say_json
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options
+from ev3proto.cli.reading import Problems, captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options

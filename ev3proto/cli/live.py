@@ -14,8 +14,7 @@ from ev3proto.checking.report import Severity
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.cli.reading import reading_options
-from ev3proto.cli.recorded import Dialogues, show_announcement
-from ev3proto.cli.show import Show
+from ev3proto.cli.show import Dialogues, Show
 from ev3proto.pyshark.tshark import Run, Tshark
 from ev3proto.reading.given import Given
 from ev3proto.reading.items import Event, Problem, ProblemCode
@@ -118,7 +117,7 @@ class _Watching:
                 if self._start_ns is None:
                     self._start_ns = event.time_ns
                 if isinstance(event, Announcement) and self._is_shown(event):
-                    show_announcement(self._show, event, self._start_ns)
+                    self._show.announcement(event, self._start_ns)
                 yield event
 
     def _is_wanted(self, pair: RequestReply) -> bool:

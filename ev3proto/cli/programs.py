@@ -9,7 +9,7 @@ import click
 
 from ev3proto.capture.files import RecoveredFile, recover
 from ev3proto.cli.output import Printer, complain, put, refuse_terminal
-from ev3proto.cli.problems import Captured, Problems
+from ev3proto.cli.reading import Captured, Problems
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Assembled, Program, assemble, parse
 from ev3proto.program.listing import listing, program_json, program_tree

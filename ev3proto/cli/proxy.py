@@ -18,8 +18,7 @@ from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
 from ev3proto.cli.options import SerialNumber, dialect_option, exclusive, json_option
 from ev3proto.cli.output import Failure, complain, failing_to, flush, refuse_terminal, say, writing_output
-from ev3proto.cli.recorded import Dialogues
-from ev3proto.cli.show import Show
+from ev3proto.cli.show import Dialogues, Show
 from ev3proto.cli.targets import target_option
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire

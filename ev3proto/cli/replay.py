@@ -12,10 +12,8 @@ import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.cli.output import Printer, complain
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options
-from ev3proto.cli.recorded import Dialogues
-from ev3proto.cli.show import Show
+from ev3proto.cli.reading import Problems, captures_of, reading_options
+from ev3proto.cli.show import Dialogues, Show
 from ev3proto.cli.targets import channel_to, target_option, timeout_option
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel

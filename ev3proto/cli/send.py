@@ -13,9 +13,8 @@ from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Making, encoded
 from ev3proto.cli.options import bare_option, dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.recorded import Dialogues
-from ev3proto.cli.show import Show
+from ev3proto.cli.reading import Problems
+from ev3proto.cli.show import Dialogues, Show
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
 from ev3proto.link.channel import Channel

@@ -11,8 +11,7 @@ from ev3proto.capture import Account
 from ev3proto.capture.latencies import ACCURACY, EXACT, Percentiles
 from ev3proto.capture.statistics import Amount, Noted, PeerSummary, Statistics, Summary, TransferSummary
 from ev3proto.cli.output import say, say_json
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options
+from ev3proto.cli.reading import Problems, captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.reading.items import ProblemCode

@@ -14,8 +14,7 @@ from ev3proto.capture import Event
 from ev3proto.capture.timeline import Form, MissingLibraryError, Window, collect, render, require_library
 from ev3proto.cli.options import FILE, FiniteRange
 from ev3proto.cli.output import Failure, complain, put, say
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options, title_of
+from ev3proto.cli.reading import Problems, captures_of, reading_options, title_of
 from ev3proto.reading.options import Options
 
 MOST_SECONDS = 1e9

@@ -16,8 +16,7 @@ from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.options import FILE, exclusive
 from ev3proto.cli.output import Failure, complain, put, say, say_json
-from ev3proto.cli.problems import Problems
-from ev3proto.cli.reading import captures_of, reading_options, title_of
+from ev3proto.cli.reading import Problems, captures_of, reading_options, title_of
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.reading.items import ProblemCode

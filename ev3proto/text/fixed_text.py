@@ -324,7 +324,7 @@ def _rewritten(notation: _Notation, text: str, atoms: list[_Atom], old: bytes, n
 
 
 def _in_place(old: bytes, new: bytes) -> list[bytes] | None:
-    """Returns the new bytes that stand in place of each old one, which may be none; None if there are too many."""
+    """Returns the new bytes in place of each old one, which may be empty; None if there are too many."""
     if len(new) == len(old):
         # If their number stays, so do their places; a comparison may see one of them move.
         return [bytes((byte,)) for byte in new]

@@ -197,7 +197,7 @@ class Kind:
         return f"{name} is {self.what}; it cannot be compared by {relation} with {written}"
 
     def _unknown(self, name: str, text: str, members: Sequence[str]) -> str:
-        """Returns the sentence about a word that is none of the names, with suggestions."""
+        """Returns the sentence about an unknown name, with suggestions."""
         unknown = f"unknown {self.what} {text}" if self.names else f"{name} has no value {text}"
         if "*" in text:
             return f"{unknown}; use like for patterns"

@@ -411,7 +411,7 @@ def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, st
         follows = part.frames[number + 1].start if number + 1 < len(part.frames) else len(data)
         at = frame.end
         if frame.is_natural and not is_wrong_frame(data[at:follows], is_alone=number + 1 < len(part.frames)):
-            if follows < len(data) or not _is_rest(reading, part, at, lines):
+            if not at < follows == len(data) or not _is_rest(reading, part, at, lines):
                 at = min([*breaks[(place := bisect_left(breaks, at)) : place + 1], follows])
             else:
                 at = follows

@@ -32,6 +32,8 @@ _BESIDE = re.compile(r"[ \t]|,[ \t]?")
 """What is between bytes in one line; more blanks are in front of a column of text."""
 _DECIMAL_ESCAPE = re.compile(r"\\\d{0,2}[89]")
 _FEW = 2
+_LEAST_APART = 4
+"""Digits that may be more than a byte."""
 _WIDE = 7
 """Blanks that separate columns, not values."""
 
@@ -109,20 +111,22 @@ class Values:
         usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
         if count == 1 and (len(shapes) > 2 or any(strings) or len(usual) > 1):
             usual = ""
-        is_uniform = len({*self.widths}) == 1 and not any(strings) and max(map(_length, self.tokens)) < 2 * LEAST
+        lengths = [*map(_length, self.tokens)]
+        longest = max(lengths)
+        is_uniform = not any(strings) and (longest < _LEAST_APART or (longest < 2 * LEAST and len({*lengths}) == 1))
         return [
             place
             for place in range(1, len(shapes))
-            if place not in self.rows and (shapes[place] != usual or (not is_uniform and self._changes(place)))
+            if place not in self.rows
+            and (shapes[place] != usual or (not is_uniform and self._changes(place, *lengths[place - 1 : place + 1])))
         ]
 
-    def _changes(self, place: int) -> bool:
+    def _changes(self, place: int, last: int, width: int) -> bool:
         """Returns whether a value is hardly of one kind with the one in front of it: a string, an offset, a literal."""
         first, second = self.tokens[place - 1 : place + 1]
         if (first.kind == "string") != (second.kind == "string"):
             return True
-        last, width = _length(first), _length(second)
-        is_offset = place == 1 and last > max(3, width) and width > 0
+        is_offset = place == 1 and last >= max(_LEAST_APART, width + 1) and width > 0
         is_literal = min(last, width) >= 2 * LEAST and _QUOTES.search(second.gap) is not None
         return is_offset or is_literal or min(last, width) < LEAST <= max(last, width) // 2
 

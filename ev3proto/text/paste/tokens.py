@@ -86,6 +86,8 @@ def _quoted(mark: str, other: str) -> str:
 _DIRECTIVE = rf"(?:\.byte|\.db|(?:db|DB)(?!\s+{_H}{{2}}(?:\s|$))|dc\.b|DC\.B|defb|DEFB|fcb|FCB|BYTE|\.ascii|DATA)"
 
 FORMS = (
+    # Many pairs of digits at once, which are split behind this table: they take a fifth of the time so.
+    Form("run", "0f 00 2a:00|80 00:00|94", rf"(?<![\w.])(?:{_H}{{2}}[ :|,-]){{7,}}{_H}{{2}}(?=[\s,|]|$)"),
     # Most values have the first form. After a time or a date come other signs, so it does not take a part of one.
     Form("digits", "0f", rf"(?<!\w){_H}+(?=[\s,|]|$)(?<!0[bB][01]{{8}})|(?<=[:|]){_H}{{2}}(?=[:|])"),
     Form("blank", "0f |b''.join|(", r"(?<!\w)b?(?:\"\"|'')\.join(?=\()"),
@@ -213,7 +215,14 @@ def split(line: str, number: int) -> tuple[list[Token], str]:
         begin, end = match.span()
         gap += line[at:begin]
         at = end
-        if kind == "other":
+        if kind == "run":
+            gaps = [gap, *line[begin + 2 : end : 3]]
+            found += [
+                tuple.__new__(Token, ("digits", line[start : start + 2], start, start + 2, gap, number))
+                for start, gap in zip(range(begin, end, 3), gaps, strict=True)
+            ]
+            gap = ""
+        elif kind == "other":
             gap += "~"
         elif kind != "blank":
             # As Token(...), in half its time: lines have many.

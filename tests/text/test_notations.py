@@ -238,7 +238,14 @@ def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
     assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
 
 
-@each("form", [form for form in FORMS if form.kind not in ("blank", "other", "word")])
+@each("form", [form for form in FORMS if form.kind == "run"])
+def test_the_example_of_a_run_is_many_values(form: Form) -> None:
+    assert [(token.kind, token.text) for token in tokens_in(form.example)] == [
+        ("digits", text) for text in form.example.split()
+    ]
+
+
+@each("form", [form for form in FORMS if form.kind not in ("blank", "other", "word", "run")])
 def test_the_example_of_a_value_is_one(form: Form) -> None:
     before, value, after = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
     assert (form.kind, value) in [(token.kind, token.text) for token in tokens_in(f"{before}{value}{after}")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cache
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from ev3proto.errors import near_misses
 from ev3proto.schema.instructions import CMD
@@ -138,39 +138,63 @@ class Names:
         for where in self.notation.lookup:
             if where is Known.LOCALS and place is not None:
                 return place
-            found = self._in(where, name, at, parameter)
+            found: Meaning | None = self._LOOKUPS[where](self, name, at, parameter)
             if found is not None:
                 return found
         return None
 
-    def _in(self, where: Known, name: str, at: int, parameter: Parameter | None) -> Meaning | None:
+    def _local_define(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
         local = self.local
-        match where:
-            case Known.LOCALS:
-                return self.defined(local.defines[name], local) if name in local.defines else None
-            case Known.GLOBALS:
-                above = [it for it in self.globals.get(name, ()) if it.at < at]
-                return above[-1] if above else None
-            case Known.OBJECTS | Known.OBJECTS_ABOVE:
-                callee = self.objects.get(name)
-                return callee if callee and (where is Known.OBJECTS or callee.at < at) else None
-            case Known.CALLED:
-                return self.objects.get(name) if is_object(parameter) else None
-            case Known.DEFINES | Known.DEFINES_ABOVE:
-                define = self.defines.get(name)
-                is_known = define is not None and (where is Known.DEFINES or define.at < at)
-                return self.defined(define, LocalNames()) if is_known and define is not None else None
-            case Known.FIRMWARE:
-                return firmware_constant(name, parameter if self.notation.has_messages else None)
-            case Known.GOALS:
-                is_goal = parameter is not None and parameter.role is Role.JUMP
-                # In a frame, a label may be set further down.
-                is_known = name in local.labels or (self.notation.has_messages and name not in local.places)
-                return Goal(name) if is_goal and is_known else None
-            case Known.LABELS:
-                define = self.defines.get(name)
-                is_hidden = self.notation.last_counts and define is not None and define.at > local.labels.get(name, 0)
-                return Goal(name) if name in local.labels and not is_hidden else None
+        return self.defined(local.defines[name], local) if name in local.defines else None
+
+    def _global_above(self, name: str, at: int, _parameter: Parameter | None) -> Meaning | None:
+        above = [it for it in self.globals.get(name, ()) if it.at < at]
+        return above[-1] if above else None
+
+    def _object(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
+        return self.objects.get(name)
+
+    def _object_above(self, name: str, at: int, _parameter: Parameter | None) -> Meaning | None:
+        callee = self.objects.get(name)
+        return callee if callee and callee.at < at else None
+
+    def _called(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
+        return self.objects.get(name) if is_object(parameter) else None
+
+    def _define(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
+        return self.defined(self.defines[name], LocalNames()) if name in self.defines else None
+
+    def _define_above(self, name: str, at: int, _parameter: Parameter | None) -> Meaning | None:
+        define = self.defines.get(name)
+        return self.defined(define, LocalNames()) if define is not None and define.at < at else None
+
+    def _firmware(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
+        return firmware_constant(name, parameter if self.notation.has_messages else None)
+
+    def _goal(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
+        is_goal = parameter is not None and parameter.role is Role.JUMP
+        # In a frame, a label may be set further down.
+        is_known = name in self.local.labels or (self.notation.has_messages and name not in self.local.places)
+        return Goal(name) if is_goal and is_known else None
+
+    def _label(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
+        labels, define = self.local.labels, self.defines.get(name)
+        is_hidden = self.notation.last_counts and define is not None and define.at > labels.get(name, 0)
+        return Goal(name) if name in labels and not is_hidden else None
+
+    _LOOKUPS: ClassVar = {
+        Known.LOCALS: _local_define,
+        Known.GLOBALS: _global_above,
+        Known.OBJECTS: _object,
+        Known.OBJECTS_ABOVE: _object_above,
+        Known.CALLED: _called,
+        Known.DEFINES: _define,
+        Known.DEFINES_ABOVE: _define_above,
+        Known.FIRMWARE: _firmware,
+        Known.GOALS: _goal,
+        Known.LABELS: _label,
+    }
+    """How a name is looked up in each place."""
 
     def defined(self, define: Define, local: LocalNames) -> Meaning:
         """Returns the value of a define."""

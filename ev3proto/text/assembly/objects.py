@@ -147,32 +147,7 @@ class ProgramAssembler:
         defines: list[Define] = []
         for statement in statements:
             try:
-                match statement:
-                    case SourceError():
-                        raise statement
-                    case Closing(at):
-                        if current is None:
-                            raise SourceError(at, "unexpected }: no { is open")
-                        current = None
-                    case Opening() if current is None:
-                        current = self._begun(statement)
-                    case Opening() if statement.is_alias or (self._notation.folds and statement.word == _SUBCALL):
-                        self._begun(statement, current)
-                    case Opening(at, word):
-                        raise SourceError(at, f"a {word} cannot begin in another object: a }} is missing before it")
-                    case Define() if current is None or self._notation.last_counts:
-                        if current is not None:
-                            self.warnings.append((statement.at, "a define inside an object is known in the whole file"))
-                        defines.append(statement)
-                    case VariableDeclaration(scope=scope) if current is None or scope == GLOBAL:
-                        self._declarations.append(statement)
-                    case _ if current is None:
-                        what = cited(getattr(statement, "name", "this"))
-                        raise SourceError(
-                            statement.at, f"{what} is outside of any object: put it into a vmthread or a subcall"
-                        )
-                    case _:
-                        current.body.append(statement)
+                current = self._placed(statement, current, defines)
             except SourceError as error:
                 self._keep(error)
             if len(self.errors) >= MOST_ERRORS:
@@ -182,6 +157,41 @@ class ProgramAssembler:
             self._keep(SourceError(current.head.at, f"{current.head.word} {current.head.name} has no }} at its end"))
         if not self.errors:
             self._declare_all(defines)
+
+    def _placed(
+        self, statement: Statement | SourceError, current: _Object | None, defines: list[Define]
+    ) -> _Object | None:
+        """Puts a statement where it belongs, and returns the object in which the next one is."""
+        match statement:
+            case SourceError():
+                raise statement
+            case Closing(at):
+                if current is None:
+                    raise SourceError(at, "unexpected }: no { is open")
+                return None
+            case Opening():
+                return self._opened(statement, current)
+            case Define() if current is None or self._notation.last_counts:
+                if current is not None:
+                    self.warnings.append((statement.at, "a define inside an object is known in the whole file"))
+                defines.append(statement)
+            case VariableDeclaration(scope=scope) if current is None or scope == GLOBAL:
+                self._declarations.append(statement)
+            case _ if current is None:
+                what = cited(getattr(statement, "name", "this"))
+                raise SourceError(statement.at, f"{what} is outside of any object: put it into a vmthread or a subcall")
+            case _:
+                current.body.append(statement)
+        return current
+
+    def _opened(self, head: Opening, current: _Object | None) -> _Object:
+        """Begins an object, and returns the one in which the next statement is."""
+        if current is None:
+            return self._begun(head)
+        if not head.is_alias and not (self._notation.folds and head.word == _SUBCALL):
+            raise SourceError(head.at, f"a {head.word} cannot begin in another object: a }} is missing before it")
+        self._begun(head, current)
+        return current
 
     def _begun(self, head: Opening, current: _Object | None = None) -> _Object:
         if len(self._objects) >= MAX_OBJECTS:

@@ -455,17 +455,17 @@ def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     place = starts.index(True) if True in starts else 0
     if row.number != ended.number + 1 or len(row.tokens) <= place or row.front(place) != ended.front(place):
         return None
-    tokens, others = row.tokens[place:], ended.tokens[place:]
+    is_dump = (row.is_bare or row.front(place).endswith((":", ">"))) and not row.after.strip(AROUND)
+    return _follows(row.tokens[place:]) if is_dump and _are_like(row.tokens[place:], ended.tokens[place:]) else None
+
+
+def _are_like(tokens: Sequence[Token], others: Sequence[Token]) -> bool:
+    """Returns whether values are written like others, and are hardly a word or zeros."""
     widths, usual = ({len(token.text) for token in some} for some in (tokens, others))
-    if not (widths <= usual or (1 in usual and max(widths) <= max(usual))):
-        return None
-    is_dump = row.is_bare or row.front(place).endswith((":", ">"))
-    if len(tokens) > len(others) or row.after.strip(AROUND) or not is_dump:
-        return None
     is_zero = not "".join(token.text for token in tokens).strip("0x, ")
-    if is_zero or any(token.text.isupper() and len(token.text) > 4 for token in tokens):
-        return None
-    return _follows(tokens)
+    if is_zero or len(tokens) > len(others) or any(token.text.isupper() and len(token.text) > 4 for token in tokens):
+        return False
+    return widths <= usual or (1 in usual and max(widths) <= max(usual))
 
 
 _INTRODUCED = re.compile(r"[\"'`(<=\[]\s*$|[^\W\d]:?\s+$")

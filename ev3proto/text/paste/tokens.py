@@ -87,7 +87,7 @@ _DIRECTIVE = rf"(?:\.byte|\.db|(?:db|DB)(?!\s+{_H}{{2}}(?:\s|$))|dc\.b|DC\.B|def
 
 FORMS = (
     # Many pairs of digits at once, which are split behind this table: they take a fifth of the time so.
-    Form("run", "0f 00 2a:00|80 00:00|94", rf"(?<![\w.])(?:{_H}{{2}}[ :|,-]){{7,}}{_H}{{2}}(?=[\s,|]|$)"),
+    Form("run", "0f 00 2a 00 80 00 00 94", rf"(?<![\w.])(?:{_H}{{2}}[ :|,-]){{7,}}{_H}{{2}}(?=[\s,|]|$)"),
     # Most values have the first form. After a time or a date come other signs, so it does not take a part of one.
     Form("digits", "0f", rf"(?<!\w){_H}+(?=[\s,|]|$)(?<!0[bB][01]{{8}})|(?<=[:|]){_H}{{2}}(?=[:|])"),
     Form("blank", "0f |b''.join|(", r"(?<!\w)b?(?:\"\"|'')\.join(?=\()"),

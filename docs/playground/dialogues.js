@@ -21,6 +21,8 @@ export const showDialogues = (count, isWhole) => {
 };
 
 let turn = 0;
+/** What is drawn, and how wide. */
+let drawn = { chart: "", width: 0 };
 
 /** Draws the timeline, if it is open. Vega interprets its expressions: the page's policy forbids eval. */
 const showTimeline = async () => {
@@ -40,10 +42,28 @@ const showTimeline = async () => {
   if (mine !== turn) return;
   bar.removeAttribute("value");
   said.textContent = "Drawing …";
-  const { drawTimeline } = await import("./timeline.js");
-  const drawn = make("div");
-  if (chart) await drawTimeline(JSON.parse(chart), drawn, place);
-  else drawn.textContent = "Nothing to draw.";
-  if (mine === turn) place.replaceChildren(drawn);
+  drawn = { chart: chart ?? "", width: 0 };
+  if (chart) await draw(); else said.textContent = "Nothing to draw.";
 };
 timeline.ontoggle = showTimeline;
+
+/** Draws the chart in the width and the colours of the page, in place of what is there. */
+const draw = async () => {
+  const place = inside(timeline, "div", HTMLDivElement), mine = turn, box = make("div");
+  drawn.width = place.clientWidth;
+  const { drawTimeline } = await import("./timeline.js");
+  // The message that it is being drawn is painted first.
+  await new Promise((resolve) => { setTimeout(resolve, 50); });
+  await drawTimeline(drawn.chart, box, place);
+  if (mine === turn) place.replaceChildren(box);
+};
+const drawAgain = () => { if (timeline.open && inside(timeline, "div", HTMLDivElement).querySelector("canvas")) draw(); };
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAgain);
+/** Milliseconds that a window has one width before the timeline has it, too. */
+const STEADY = 300;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let steady;
+new ResizeObserver(() => {
+  clearTimeout(steady);
+  steady = setTimeout(() => { if (inside(timeline, "div", HTMLDivElement).clientWidth !== drawn.width) drawAgain(); }, STEADY);
+}).observe(inside(timeline, "div", HTMLDivElement));

@@ -210,7 +210,7 @@ export const realBrick = (python) => {
   watch.onchange = () => {
     find("facts").hidden = !watch.checked;
     remember(QUIET, watch.checked ? null : "yes");
-    python().ask("watch", watch.checked);
+    if (wire) python().ask("watch", watch.checked);
   };
 
   // The recording

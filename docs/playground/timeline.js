@@ -7,9 +7,16 @@ import { expressionInterpreter } from "./vega/vega-interpreter.js";
 /** The share of a narrow page that names get, and its limits, in pixels. */
 const NAMES = 0.36, LEAST_NAMES = 110, LEAST_ROOM = 120, NARROW = 700, SCROLLBAR = 40;
 
-/** Draws a chart into a box, as wide as a place, in its colours. @param {any} chart @param {HTMLElement} box @param {HTMLElement} place */
-export const drawTimeline = async (chart, box, place) => {
+/** The colours of charts that are those of the page, which are dark in the dark. @type {Record<string, string>} */
+const OWN = { "#444444": "--aside", "#777777": "--aside", "#222222": "--text", "#000000": "--text", black: "--text" };
+/** Where a colour is in a chart: at a name such as `subtitleColor`, or in a list. */
+const COLOUR = /color$|^\d+$/i;
+
+/** Draws a chart into a box, as wide as a place, in its colours. @param {string} text @param {HTMLElement} box @param {HTMLElement} place */
+export const drawTimeline = async (text, box, place) => {
   const { vega, vegaLite } = /** @type {any} */ (globalThis);
+  const style = getComputedStyle(place);
+  const chart = JSON.parse(text, (key, value) => (COLOUR.test(key) && Object.hasOwn(OWN, value) ? style.getPropertyValue(OWN[value]).trim() : value));
   /** @param {string} name */
   const parameter = (name) => chart.params.find((/** @type {{name: string}} */ each) => each.name === name);
   const width = place.clientWidth - SCROLLBAR;

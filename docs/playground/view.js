@@ -18,7 +18,7 @@ import { change, state } from "./state.js";
 
 const COLUMNS = 16, FEW_COLUMNS = 8;
 /** The width of a page that has room for all columns, in pixels. */
-const WIDE = 560;
+const WIDE = 640;
 const MOST_ROWS_SHOWN = 10;
 /** @type {About} */
 const UNKNOWN = { sentence: "", parts: [], bytes: [] };

@@ -13,7 +13,7 @@ from importlib.resources import files
 from pathlib import Path, PurePosixPath
 
 HERE = Path(__file__).parent
-PACKAGES = ("construct", "click", "dpkt")
+PACKAGES = ("construct", "dpkt")
 
 WHOLE = ("bridge", "ev3proto.capture", "ev3proto.generate.captures", "pyodide", "_pyodide")
 """Packages whose modules are all packed: they are imported by names that are computed, or from C and JavaScript."""
@@ -26,6 +26,9 @@ ROOTS = (
     ),
 )
 """Other modules that Python starts with, or that are imported by a computed name."""
+
+NEVER = ("_pyrepl", "doctest", "multiprocessing", "pydoc", "unittest")
+"""Modules that others import for what the page never does."""
 
 REPLACED = {"dpkt/__init__.py": "from .dpkt import *\n"}
 """dpkt imports every protocol that it knows; those that are needed are imported by name."""
@@ -75,7 +78,7 @@ def _needed(sources: dict[str, str]) -> set[str]:
     while waiting:
         module = waiting.pop()
         file = names.get(module)
-        if file is None or file in found:
+        if file is None or file in found or module.partition(".")[0] in NEVER:
             continue
         found.add(file)
         waiting += _imported(sources[file], module if file.endswith("/__init__.py") else module.rpartition(".")[0])

@@ -13,12 +13,12 @@ export const offerRemedies = async () => {
   row.replaceChildren();
   const isWrong = verdictOf(state()).kind !== "takes" && (state().error || state().verdict.kind);
   if (!isWrong || state().file || text.length > LITTLE) return;
-  /** @type {{label: string, text: string}[]} */
+  /** @type {{label: string, line: string, text: string}[]} */
   const found = await source().ask("remedies", text);
   if (text !== input.value) return;
   row.replaceChildren(...found.map((remedy) => {
     const button = make("button", remedy.label);
-    button.title = remedy.text;
+    button.title = remedy.line;
     button.onclick = () => replace(remedy.text);
     return button;
   }));

@@ -72,7 +72,7 @@ export const follow = (draw) => {
  */
 export const verdictOf = ({ verdict, error }) => {
   if (!error || verdict.kind !== "takes") return verdict;
-  return { kind: "but", text: `${verdict.text.replace(/\.$/, "")}, but not all of the input could be read.` };
+  return { kind: "but", text: `${verdict.text.slice(0, -1)}, but not all of the input could be read.` };
 };
 
 /**

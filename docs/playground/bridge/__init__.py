@@ -29,7 +29,7 @@ from ev3proto.text.spans import plain_text, visible
 from .about import about
 from .completing import complete
 from .reading import MOST_SENT, Input, Steps
-from .remedies import remedies
+from .remedies import remedies as remedies_of
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:
@@ -167,6 +167,11 @@ def explain(code: str) -> str:
 def fix() -> str:
     """Returns the text with every certain fix in it."""
     return json.dumps(_now.fixed())
+
+
+def remedies(text: str) -> str:
+    """Returns what can be done about the input, which is this text: see `bridge.remedies.remedies`."""
+    return json.dumps(remedies_of(text, _now.wrong_lines()))
 
 
 def to_send() -> str:

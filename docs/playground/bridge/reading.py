@@ -315,6 +315,12 @@ class Input:
 
     # Fixes
 
+    def wrong_lines(self) -> dict[int, bytes | None]:
+        """Returns the lines of a text that are wrong, each with the frame in it, if there is one."""
+        unread = [problem.place.line for problem in self._problems if problem.code is ProblemCode.TEXT]
+        found: dict[int, bytes | None] = {each.line: each.report.frame for each in self._findings.frames if each.line}
+        return found | dict.fromkeys(line for line in unread if line)
+
     def _is_fixable(self) -> bool:
         if self._typed is None or self._assembled or not self._findings.frames:
             return False

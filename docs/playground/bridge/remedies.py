@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from itertools import islice
 
 from ev3proto.checking.checking import check
 from ev3proto.schema.frame import parse
 from ev3proto.text.forms import as_hex
 from ev3proto.text.paste.frames import NO_LENGTH, OPERATIONS, with_header, without_length
+
+MOST_LINES = 12
+"""Maximum number of lines of a log for which remedies are looked for."""
 
 _LETTERS = str.maketrans("OolI", "0011")
 """Letters that look like digits."""
@@ -27,11 +30,36 @@ def with_buttons(advice: str) -> str:
     return advice.replace(NO_LENGTH, f'"{_ADD_LENGTH}"').replace(OPERATIONS, f'"{_ADD_HEADER}"')
 
 
-def remedies(text: str) -> str:
-    """Returns what can be done about a wrong line of hex, as JSON: a list of `label` and `text`, which replaces it."""
-    found = {frame: label for label, frame in reversed(list(_meant(text)))}
-    shown = [{"label": label, "text": as_hex(parse(frame))} for frame, label in reversed(found.items())]
-    return json.dumps(shown)
+def remedies(text: str, wrong: Mapping[int, bytes | None]) -> list[dict[str, str]]:
+    """Returns what can be done about a wrong text, for JSON.
+
+    Args:
+        text: One line of hex, or a log.
+        wrong: The numbers of wrong lines of a log, from 1, each with the frame in it, if there is one.
+
+    Returns:
+        The `label` of each button, the `line` that it makes, and the whole `text` with that line.
+    """
+    lines = text.strip().split("\n")
+    if len(lines) == 1:
+        return [{"label": label, "line": line, "text": line} for label, line in _of_line(text.strip(), None)]
+    lines, shown = text.split("\n"), []
+    for number, frame in islice(sorted(wrong.items()), MOST_LINES):
+        for label, line in _of_line(lines[number - 1], frame):
+            whole = "\n".join([*lines[: number - 1], line, *lines[number:]])
+            shown.append({"label": f"Line {number}: {label}", "line": line, "text": whole})
+    return shown
+
+
+def _of_line(line: str, frame: bytes | None) -> list[tuple[str, str]]:
+    """Returns what can be done about a line: labels, and the lines that they make of it."""
+    for start in (0, *(each.end() for each in re.finditer(r"\s+", line))):
+        text = line[start:]
+        if frame not in (None, _bytes_of(text)):
+            continue
+        if found := {made: label for label, made in reversed(list(_meant(text)))}:
+            return [(label, line[:start] + as_hex(parse(made))) for made, label in reversed(found.items())]
+    return []
 
 
 def _meant(text: str) -> Iterator[tuple[str, bytes]]:

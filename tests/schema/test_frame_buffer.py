@@ -238,3 +238,37 @@ def test_after_a_reply_that_nothing_follows_the_next_frame_is_judged_too() -> No
     assert not any(part.startswith("FRAME 0600") for part in found)
     found = cut("FF" * 3 + TONE.hex(), junk)
     assert found[:3] == ["LOST ffffff", f"FRAME {TONE.hex()}", "FRAME 06000100800000fe"]
+
+
+@pytest.mark.parametrize(
+    ("data", "what"),
+    [
+        ("G", "frame, of which 1 byte came"),
+        ("GE", "text, of which 2 bytes came"),
+        ("GET", "text, of which 3 bytes came"),
+    ],
+)
+def test_a_text_that_ends_early_is_a_text_from_its_second_byte_on(data: str, what: str) -> None:
+    """One byte may be the start of a length; 45 47 is a length that no frame has."""
+    cutter = Cutter(frame_reader("official"), in_step=True)
+    assert cutter.feed(data.encode(), 1) == []
+    (part,) = cutter.end()
+    assert part.reason == f"the stream ends inside a {what}"
+
+
+@pytest.mark.parametrize("size", [1, 2, 7])
+def test_packets_are_waited_for_while_they_have_pending_bytes(size: int) -> None:
+    cutter = Cutter(frame_reader("official"), in_step=True)
+    first, second = cutter.feed(NOP + TONE[:size], 1), cutter.feed(TONE[size:] + NOP[:size], 2)
+    assert [(part.data, part.numbers) for part in (*first, *second)] == [(NOP, (1,)), (TONE, (1, 2))]
+    assert cutter.waiting == [2]
+
+
+@pytest.mark.parametrize("missing", [0, 1])
+def test_the_zero_after_the_bricks_answer_is_no_length(missing: int) -> None:
+    """00 03 00 2A 00 looks like a header, unless the whole shortest reply is there without its first byte."""
+    answer, reply = b"Accept:EV340\r\n\r\n", bytes.fromhex("03 00 2A 00 02")
+    cutter = Cutter(frame_reader("official"), in_step=True)
+    parts = cutter.feed(answer + b"\0" + reply[: len(reply) - missing], 1)
+    expected = [("ACCEPT", answer + b"\0"), ("FRAME", reply)] if not missing else [("ACCEPT", answer)]
+    assert [(part.kind.name, part.data) for part in parts] == expected

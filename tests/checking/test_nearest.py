@@ -209,9 +209,9 @@ def test_a_result_is_taken_for_the_variable_of_a_short_number() -> None:
     (one,) = code("9A 00 00 00 00 1F", header="0100 00 2000")
     assert (one.kind, one.frame.hex()[-2:]) == ("variable", "7f")
     assert not code("9A 00 00 00 00 20", header="0100 00 2000")
-    (one,) = code("9A 00 00 00 00 1F", header="0100 80 00A0")
+    (one,) = code("9A 00 00 00 00 1F", header="0100 00 00A0")
     assert (one.kind, one.frame.hex()[-2:]) == ("variable", "5f")
-    assert not code("9A 00 00 00 00 20", header="0100 80 00A0")
+    assert not code("9A 00 00 00 00 20", header="0100 00 00A0")
 
 
 def test_the_shortest_command_with_a_header_that_is_too_long() -> None:

@@ -264,6 +264,13 @@ def test_packets_are_waited_for_while_they_have_pending_bytes(size: int) -> None
     assert cutter.waiting == [2]
 
 
+def test_no_packet_is_waited_for_after_the_last_byte_of_a_frame() -> None:
+    cutter = Cutter(frame_reader("official"), in_step=True)
+    assert cutter.feed(TONE[:5], 1) == []
+    (part,) = cutter.feed(TONE[5:], 2)
+    assert (part.numbers, cutter.waiting, cutter.size) == ((1, 2), [], 0)
+
+
 @pytest.mark.parametrize("missing", [0, 1])
 def test_the_zero_after_the_bricks_answer_is_no_length(missing: int) -> None:
     """00 03 00 2A 00 looks like a header, unless the whole shortest reply is there without its first byte."""

@@ -214,6 +214,12 @@ def test_a_result_is_taken_for_the_variable_of_a_short_number() -> None:
     assert not code("9A 00 00 00 00 20", header="0100 00 00A0")
 
 
+@pytest.mark.parametrize(("locals_", "kinds"), [("0000", []), ("0004", ["variable"]), ("0008", ["variable"])])
+def test_a_result_is_taken_for_a_local_variable_if_there_are_any(locals_: str, kinds: list[str]) -> None:
+    """The header requests 0, 1 and 2 bytes of local memory."""
+    assert [one.kind for one in code("9A 00 00 00 00 00", header=f"0100 80 {locals_}")] == kinds
+
+
 def test_the_shortest_command_with_a_header_that_is_too_long() -> None:
     (one,) = nearest("0800 2A000000 80 0000 01")
     assert (one.kind, one.frame) == ("header-long", bytes.fromhex("0600 2A00 80 0000 01"))

@@ -272,7 +272,7 @@ def test_no_packet_is_waited_for_after_the_last_byte_of_a_frame() -> None:
 
 
 @pytest.mark.parametrize("missing", [0, 1])
-def test_the_zero_after_the_bricks_answer_is_no_length(missing: int) -> None:
+def test_the_zero_after_the_bricks_answer_is_not_a_length(missing: int) -> None:
     """00 03 00 2A 00 looks like a header, unless the whole shortest reply is there without its first byte."""
     answer, reply = b"Accept:EV340\r\n\r\n", bytes.fromhex("03 00 2A 00 02")
     cutter = Cutter(frame_reader("official"), in_step=True)

@@ -560,6 +560,8 @@ def test_system_commands() -> None:
         ("../prjs/" + "x" * 31 + ".rbf", None),
         ("../prjs/" + "x" * 32 + ".rbf", "x" * 32),
         ("../prjs/x.rbfs", ".rbfs"),
+        ("../prjs/123456789.rbfs", ".rbfs"),
+        ("../prjs/" + "x" * 31 + ".rbfs", ".rbfs"),
         ("../" + "p" * 79 + "/x.rbf", None),
         ("../" + "p" * 80 + "/x.rbf", "../" + "p" * 80 + "/"),
         ("x" * 120, "x" * 120),

@@ -196,6 +196,14 @@ def test_the_counter_of_a_log_does_not_matter() -> None:
         assert one.frame == bytes.fromhex(f"0D00 {counter} 80 0000 A5 00 01 8132 A6 00 01")
 
 
+def test_the_type_of_a_frame_of_a_log_matters() -> None:
+    """Only with a reply, a result in global memory may have been meant."""
+    suggestions = search.Suggestions()
+    for type_, kinds in (("80", []), ("00", ["variable"]), ("80", [])):
+        frame = bytes.fromhex(f"0B00 0100 {type_} 0000 9A 00 00 00 00 1F")
+        assert [one.kind for one in suggestions.of(ev3proto.check(frame, alone=True))] == kinds
+
+
 def test_a_run_has_a_limit() -> None:
     suggestions = search.Suggestions()
     for number in range(101):

@@ -17,7 +17,7 @@ from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, BuildError, DecodeError
-from ev3proto.schema.argument import encode_as
+from ev3proto.schema.argument import encode_as, encode_integer
 from ev3proto.schema.header import read_memory, write_memory
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.tables.encoding import ENCODINGS
@@ -569,6 +569,36 @@ def test_refusals(build: Callable[[], object], words: list[str]) -> None:
         build()
     for word in words:
         assert word in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("value", "constant"),
+    [
+        (-32, "20"),
+        (-1, "3F"),
+        (31, "1F"),
+        (-33, "81 DF"),
+        (32, "81 20"),
+        (-127, "81 81"),
+        (127, "81 7F"),
+        (-128, "82 80 FF"),
+        (128, "82 80 00"),
+        (-32767, "82 01 80"),
+        (32767, "82 FF 7F"),
+        (-32768, "83 00 80 FF FF"),
+        (32768, "83 00 80 00 00"),
+        (-2147483648, "83 00 00 00 80"),
+        (2147483647, "83 FF FF FF 7F"),
+    ],
+)
+def test_the_shortest_constant(value: int, constant: str) -> None:
+    assert encode_integer(value) == bytes.fromhex(constant)
+
+
+@pytest.mark.parametrize("value", [-2147483649, 2147483648])
+def test_a_constant_has_at_most_32_bits(value: int) -> None:
+    with pytest.raises(BuildError, match=f"a constant cannot be {value}"):
+        encode_integer(value)
 
 
 @pytest.mark.parametrize("field", ["counter", "number", "layer_from", "layer_to"])

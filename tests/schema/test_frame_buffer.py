@@ -279,3 +279,13 @@ def test_the_zero_after_the_bricks_answer_is_not_a_length(missing: int) -> None:
     parts = cutter.feed(answer + b"\0" + reply[: len(reply) - missing], 1)
     expected = [("ACCEPT", answer + b"\0"), ("FRAME", reply)] if not missing else [("ACCEPT", answer)]
     assert [(part.kind.name, part.data) for part in parts] == expected
+
+
+def test_a_faulty_frame_with_a_gap_between_its_packets_waits_for_the_next() -> None:
+    """Bytes may be missing between two packets, not within one."""
+    faulty = bytes.fromhex("06 00 FF FF 80 00 00 FE")
+    cutter = Cutter(frame_reader("official"), in_step=True, may_gap=True)
+    assert [part.data for part in cutter.feed(faulty + NOP[:1], 1)] == [faulty]
+    cutter = Cutter(frame_reader("official"), in_step=True, may_gap=True)
+    assert cutter.feed(faulty[:7], 1) == cutter.feed(faulty[7:] + NOP[:1], 2) == []
+    assert [part.data for part in cutter.feed(NOP[1:] + NOP, 3)] == [faulty, NOP, NOP]

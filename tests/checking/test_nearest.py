@@ -204,6 +204,13 @@ def test_the_type_of_a_frame_of_a_log_matters() -> None:
         assert [one.kind for one in suggestions.of(ev3proto.check(frame, alone=True))] == kinds
 
 
+@pytest.mark.parametrize(("size", "codes"), [("07", []), ("08", ["64 60", "60 64"]), ("09", ["64 60", "60 64"])])
+def test_a_missing_result_takes_the_memory_that_is_left(size: str, codes: list[str]) -> None:
+    """MEMORY_USAGE writes two numbers of four bytes; GV(4) ends at byte 8."""
+    found = code("C5 60", header=f"0100 00 {size}00")
+    assert [one.frame.hex(" ")[-5:] for one in found] == codes
+
+
 def test_a_run_has_a_limit() -> None:
     suggestions = search.Suggestions()
     for number in range(101):

@@ -106,6 +106,30 @@ def test_when_nothing_is_known_of_a_brick_ten_seconds_are_not_too_long() -> None
         assert found.command == expected
 
 
+@pytest.mark.parametrize(
+    ("lag", "waited", "expected"),
+    [
+        (0, 50, "first"),
+        (0, 51, "second"),
+        (16, 50, "first"),
+        (17, 51, "first"),
+        (100, 300, "first"),
+        (100, 301, "second"),
+    ],
+)
+def test_a_brick_takes_three_times_its_longest_time_and_at_least_50_milliseconds(
+    lag: int, waited: int, expected: str
+) -> None:
+    pairing: Pairing[str] = Pairing()
+    pairing.remember(0, SIZE, "before", 0)
+    pairing.answered(0, SIZE, lag * MS)
+    pairing.remember(0, SIZE, "first", 1000 * MS)
+    pairing.remember(0, SIZE, "second", (1000 + waited - 1) * MS)
+    found = pairing.answered(0, SIZE, (1000 + waited) * MS)
+    assert found is not None
+    assert found.command == expected
+
+
 def test_a_stalled_brick_answers_in_order() -> None:
     """If all commands have waited for too long, the brick was slow, and nothing was lost."""
     pairing: Pairing[int] = Pairing()

@@ -70,3 +70,16 @@ def test_the_longest_text_of_a_parameter() -> None:
     parameters = operations("official")["MAILBOX_OPEN"].parameters
     texts = {each.name: set(facts(each)) for each in parameters}
     assert "at most 49 characters" in texts["BOXNAME"]
+
+
+@pytest.mark.parametrize(
+    ("name", "parameter", "words"),
+    [
+        ("UI_READ.GET_STRING", "DESTINATION", "as many bytes as LENGTH says"),
+        ("FILE.READ_BYTES", "DESTINATION", "as many values as BYTES says"),
+        ("UI_DRAW.GRAPH_SETUP", "MIN", "as many values as ITEMS says"),
+    ],
+)
+def test_the_length_of_a_text_and_of_an_array(name: str, parameter: str, words: str) -> None:
+    (found,) = (each for each in operations("official")[name].parameters if each.name == parameter)
+    assert list(facts(found)) == [words]

@@ -265,6 +265,19 @@ def test_texts_values_and_bytes_are_written_and_read(brick: Brick, projects: Pat
     assert (memory[16:20], memory[20:25]) == (bytes.fromhex("0000c03f"), b"hi!\0\xff")
 
 
+@pytest.mark.parametrize(("count", "size"), [(0, 4), (1, 1), (6, 6)])
+def test_an_array_gets_as_many_bytes_as_are_asked_for(brick: Brick, projects: Path, count: int, size: int) -> None:
+    """Nothing is asked for by 0, so the array stays."""
+    (projects / "a.rtf").write_bytes(b"abcdefgh")
+    code = (
+        op("ARRAY.CREATE8", 4, LV(0)),
+        op("FILE.OPEN_READ", "../prjs/a.rtf", LV(2), LV(4)),
+        op("FILE.READ_BYTES", LV(2), count, LV(0, handle=True)),
+        op("ARRAY.SIZE", LV(0), GV(0)),
+    )
+    assert run(brick, *code, globals=4, locals=8) == (OK, size.to_bytes(4, "little"))
+
+
 def test_a_text_stops_at_its_room(brick: Brick, projects: Path) -> None:
     (projects / "a.rtf").write_bytes(b"abcdef,gh")
     code = (

@@ -513,3 +513,27 @@ def test_what_passes_only_reads(frame: bytes) -> None:
 def test_the_argument_that_does_more_than_read_is_named(changing: Operation, words: str) -> None:
     touch = Known(types={(0, 0): 16})
     assert harms_of(ev3proto.parse(command(changing)), known=touch)[Harm.COMPUTING] == words
+
+
+@pytest.mark.parametrize(
+    ("frame", "expected"),
+    [
+        (command(operation("NOP"), globals_=1019), set()),
+        (command(operation("NOP"), globals_=1020), UNKNOWN),
+        (command(b"\x01" * 1017), set()),
+        (command(b"\x01" * 1018), UNKNOWN),
+        (ev3proto.system_command("CREATE_DIR", path="x" * 119).build(), {Harm.FILES}),
+        (ev3proto.system_command("CREATE_DIR", path="x" * 120).build(), {Harm.FILES, Harm.UNKNOWN}),
+    ],
+    ids=[
+        "the longest reply",
+        "a longer one",
+        "the longest command",
+        "a longer one",
+        "the longest path",
+        "a longer one",
+    ],
+)
+def test_limits(frame: bytes, expected: set[Harm]) -> None:
+    """A reply and a command have 1,024 bytes, a path 119: what the firmware does beyond is not known."""
+    assert harms(frame) == expected

@@ -301,19 +301,23 @@ class Statistics:
         if message.type is None:
             pass
         elif message.type.is_command and record.request is None:
-            carried = _carried(message)
-            for each in counted:
-                each.command(record, carried)
-            if message.wants_reply:
-                self._waiting.append(record)
-            while self._waiting and (self._waiting[0].answered is not None or len(self._waiting) > MOST_PENDING):
-                self._settle_oldest()
+            self._command(record, counted)
         else:
             carried = _carried(message if record.request is None else record.request.message)
             for each in counted:
                 each.reply(record, carried, is_error(message))
         if record.transfer is not None:
             self._move(record, record.transfer)
+
+    def _command(self, record: Record, counted: tuple[_Peer, ...]) -> None:
+        """Counts a command, which may wait for its reply."""
+        carried = _carried(record.message)
+        for each in counted:
+            each.command(record, carried)
+        if record.message.wants_reply:
+            self._waiting.append(record)
+        while self._waiting and (self._waiting[0].answered is not None or len(self._waiting) > MOST_PENDING):
+            self._settle_oldest()
 
     def _counted(self, peer: str) -> tuple[_Peer, ...]:
         """Returns the counts to which a brick's messages are added: the total, and its own up to the limit."""

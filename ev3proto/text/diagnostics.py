@@ -244,18 +244,7 @@ def diagnostics(
     meant = report.nearest if nearest is None else nearest
     if not is_complete:
         shown = unresolved(report, shown, meant)
-    where = [(f"{place}: ", Role.HEADING)] if place else []
-    if report.accepted and not report.findings:
-        yield Line([*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)], 0, len(report.frame))
-        return
-    hidden = len(report.findings) - len(shown)
-    verdict = [
-        *where,
-        (_verdict(report), Role.NAME if report.accepted else Role.FAULT),
-        (f"; {tally(report.findings)}", Role.PLAIN),
-        (f" ({hidden} not shown)" if hidden else "", Role.ASIDE),
-    ]
-    yield Line(verdict, 0, len(report.frame))
+    yield _verdict_line(report, place, len(report.findings) - len(shown))
     for number, one in enumerate(meant):
         yield Line()
         yield from _did_you_mean(report.frame, one, "or" if number else "did you mean", dialect)
@@ -268,11 +257,28 @@ def diagnostics(
         yield from _on_one_span(list(together), excerpt, place)
     if left:
         yield Line()
-    for alike in left:
-        offsets = ", ".join(str(finding.offset) for finding in alike[:_MOST_OFFSETS])
-        more = ", ..." if len(alike) > _MOST_OFFSETS else ""
-        said = f": and {len(alike)} more of these, at offsets {offsets}{more}"
-        yield Line([_mark(alike[0]), (said, Role.PLAIN)], code=alike[0].code)
+        yield from map(_repeated, left)
+
+
+def _verdict_line(report: Report, place: str, hidden: int) -> Line:
+    where = [(f"{place}: ", Role.HEADING)] if place else []
+    if report.accepted and not report.findings:
+        return Line([*where, ("accepted", Role.NAME), (": no findings", Role.PLAIN)], 0, len(report.frame))
+    verdict = [
+        *where,
+        (_verdict(report), Role.NAME if report.accepted else Role.FAULT),
+        (f"; {tally(report.findings)}", Role.PLAIN),
+        (f" ({hidden} not shown)" if hidden else "", Role.ASIDE),
+    ]
+    return Line(verdict, 0, len(report.frame))
+
+
+def _repeated(alike: Sequence[Finding]) -> Line:
+    """Returns a line about findings that say the same as one above."""
+    offsets = ", ".join(str(finding.offset) for finding in alike[:_MOST_OFFSETS])
+    more = ", ..." if len(alike) > _MOST_OFFSETS else ""
+    said = f": and {len(alike)} more of these, at offsets {offsets}{more}"
+    return Line([_mark(alike[0]), (said, Role.PLAIN)], code=alike[0].code)
 
 
 def unresolved(report: Report, findings: Sequence[Finding], nearest: Sequence[Suggestion]) -> Sequence[Finding]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange, Value, ValueType
@@ -255,14 +255,17 @@ def reply_spans(exchange: Exchange) -> Spans:
     if message.type is not None and message.type.is_error:
         reason = _refusal(exchange.request)
         return [("error", Role.FAULT), *([(f" ({reason})", Role.MEANING)] if reason else [])]
-    if not exchange.values:
-        return [("ok", Role.VALUE)]
+    return _first_values(exchange.values) if exchange.values else [("ok", Role.VALUE)]
+
+
+def _first_values(values: Sequence[Value]) -> Spans:
+    """Returns the first values, and the number of the others."""
     line: Spans = []
-    for number, value in enumerate(exchange.values[:_MOST_VALUES]):
+    for number, value in enumerate(values[:_MOST_VALUES]):
         line += [(", ", Role.PLAIN)] if number else []
         line += _value(value)
-    if len(exchange.values) > _MOST_VALUES:
-        line.append((f" and {len(exchange.values) - _MOST_VALUES} more", Role.ASIDE))
+    if len(values) > _MOST_VALUES:
+        line.append((f" and {len(values) - _MOST_VALUES} more", Role.ASIDE))
     return line
 
 

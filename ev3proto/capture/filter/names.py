@@ -300,9 +300,11 @@ def _unknown(text: str) -> str:
     owner, _, name = upper.rpartition(".")
     if owner in operation_names() and is_parameter(name):
         return f"{owner} has no parameter {name}"
-    hint = _meant(text)
-    if not hint:
-        places = places_of()
-        dotted = [f"{owner}.{name}" for name, owners in places.items() for owner in owners] if owner else ()
-        hint = near_misses(text, [*places, *NAMES, *dotted]) or "; see --help-filter"
-    return f"unknown field {text!r}{hint}"
+    return f"unknown field {text!r}{_meant(text) or _near(text, is_dotted=bool(owner)) or '; see --help-filter'}"
+
+
+def _near(text: str, *, is_dotted: bool) -> str:
+    """Returns a suggestion for a misspelt name; empty if no name resembles it."""
+    places = places_of()
+    dotted = [f"{owner}.{name}" for name, owners in places.items() for owner in owners] if is_dotted else ()
+    return near_misses(text, [*places, *NAMES, *dotted])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from ev3proto.dialogue import Exchange, Value
@@ -38,7 +39,7 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
         "counter": None if message.type is None else message.counter,
         "direction": seen.direction,
         "time": seen.time,
-        **_contents(message),
+        **_CONTENTS.get(type(message), lambda _: {})(message),
         **_values(exchange),
         "fault": fault and {"offset": fault.offset, "reason": fault.reason},
         "cut": seen.cut or None,
@@ -66,52 +67,67 @@ def _values(exchange: Exchange) -> dict[str, Any]:
     return {"readings": {kind: _plain(value) for kind, value in found.items()}} if found else {}
 
 
-def _contents(message: Message) -> dict[str, Any]:
-    match message:
-        case DirectCommand():
-            return {
-                "globals": message.global_size,
-                "locals": message.local_size,
-                "operations": list(map(operation_record, message.operations)),
-            }
-        case DirectReply():
-            return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
-        case SystemCommand():
-            found = {"command": message.command, "number": message.number, "fields": _fields(message)}
-            readings = {kind: _plain(value) for kind, value in message.readings.items()}
-            return found | ({"readings": readings} if readings else {})
-        case SystemReply():
-            return {
-                "command": message.command,
-                "number": message.number,
-                "status": "error" if message.is_error else "ok",
-                "status_name": None if lacks_status(message) or message.status is None else message.status.name,
-                "status_code": message.status_code,
-                "status_meaning": status_meaning(message.number, message.status_code),
-                "fields": _fields(message),
-            }
-        case DaisyCommand():
-            return {
-                "command": message.command,
-                "number": message.number,
-                "fields": {
-                    "layer_from": message.layer_from,
-                    "layer_to": message.layer_to,
-                    "payload": message.payload.hex(),
-                },
-                "operations": list(map(operation_record, message.operations)),
-            }
-        case DaisyReply():
-            fields: dict[str, Any] = {
-                "layer_from": message.layer_from,
-                "layer_to": message.layer_to,
-                "payload": message.payload.hex(),
-            }
-            if message.report is not None:
-                for name in ("layer", "port", "status", "type", "mode", "data", "checksum", "busy"):
-                    fields[name] = _plain(getattr(message.report, name))
-            return {"status": "error" if message.type and message.type.is_error else "ok", "fields": fields}
-    return {}
+def _direct_command(message: DirectCommand) -> dict[str, Any]:
+    operations = list(map(operation_record, message.operations))
+    return {"globals": message.global_size, "locals": message.local_size, "operations": operations}
+
+
+def _direct_reply(message: DirectReply) -> dict[str, Any]:
+    return {"status": "error" if message.is_error else "ok", "memory": message.memory.hex()}
+
+
+def _system_command(message: SystemCommand) -> dict[str, Any]:
+    found = {"command": message.command, "number": message.number, "fields": _fields(message)}
+    readings = {kind: _plain(value) for kind, value in message.readings.items()}
+    return found | ({"readings": readings} if readings else {})
+
+
+def _system_reply(message: SystemReply) -> dict[str, Any]:
+    return {
+        "command": message.command,
+        "number": message.number,
+        "status": "error" if message.is_error else "ok",
+        "status_name": None if lacks_status(message) or message.status is None else message.status.name,
+        "status_code": message.status_code,
+        "status_meaning": status_meaning(message.number, message.status_code),
+        "fields": _fields(message),
+    }
+
+
+def _sent_on(message: DaisyCommand | DaisyReply) -> dict[str, Any]:
+    return {
+        "layer_from": message.layer_from,
+        "layer_to": message.layer_to,
+        "payload": message.payload.hex(),
+    }
+
+
+def _daisy_command(message: DaisyCommand) -> dict[str, Any]:
+    return {
+        "command": message.command,
+        "number": message.number,
+        "fields": _sent_on(message),
+        "operations": list(map(operation_record, message.operations)),
+    }
+
+
+def _daisy_reply(message: DaisyReply) -> dict[str, Any]:
+    fields = _sent_on(message)
+    if message.report is not None:
+        names = ("layer", "port", "status", "type", "mode", "data", "checksum", "busy")
+        fields |= {name: _plain(getattr(message.report, name)) for name in names}
+    return {"status": "error" if message.type and message.type.is_error else "ok", "fields": fields}
+
+
+_CONTENTS: dict[type[Message], Callable[[Any], dict[str, Any]]] = {
+    DirectCommand: _direct_command,
+    DirectReply: _direct_reply,
+    SystemCommand: _system_command,
+    SystemReply: _system_reply,
+    DaisyCommand: _daisy_command,
+    DaisyReply: _daisy_reply,
+}
+"""What is in a message, by its class; there is nothing in one whose type is unknown."""
 
 
 def _fields(message: SystemCommand | SystemReply) -> dict[str, Any]:

@@ -3,7 +3,13 @@
 
 /** @typedef {typeof import("./pyodide/pyodide.mjs").loadPyodide} Load */
 /** @typedef {Record<string, (...given: unknown[]) => any>} Bridge */
-/** @typedef {{bridge: Bridge, started: "snapshot" | "plain", packages: Promise<unknown>}} Started  `packages`: when each module can be imported */
+/**
+ * @typedef {object} Started
+ * @property {Bridge} bridge
+ * @property {"snapshot" | "plain"} started
+ * @property {(path: string, bytes: Uint8Array) => void} write  makes a file of bytes, which are not copied
+ * @property {Promise<unknown>} packages  when each module can be imported
+ */
 
 /** Files of the site. An archive without anything takes the place of Python's modules until they are there. */
 const MODULES = "python.zip", NO_MODULES = "none.zip", SNAPSHOT = "snapshot.bin", WASM = "pyodide/pyodide.asm.wasm", ASM = "pyodide/pyodide.asm.js";
@@ -93,7 +99,7 @@ const measured = async (site) => {
 const startPlain = async (load, site, tell) => {
   tell(size(MODULES, WASM, ASM));
   const python = await load({ ...settings(site), stdLibURL: new URL(MODULES, site).href });
-  return { bridge: python.pyimport("bridge"), started: "plain", packages: Promise.resolve() };
+  return { bridge: python.pyimport("bridge"), started: "plain", write: writer(python), packages: Promise.resolve() };
 };
 
 /** @type {Start} */
@@ -110,8 +116,11 @@ const startSnapshot = async (load, site, tell) => {
     python.runPython("import importlib; importlib.invalidate_caches()");
   });
   bridge.begin();
-  return { bridge, started: "snapshot", packages };
+  return { bridge, started: "snapshot", write: writer(python), packages };
 };
+
+/** @param {Awaited<ReturnType<Load>>} python @returns {Started["write"]} */
+const writer = (python) => (path, bytes) => python.FS.writeFile(path, bytes, { canOwn: true });
 
 /** @param {URL} site */
 const settings = (site) => ({ indexURL: new URL("pyodide/", site).href, packageBaseUrl: site.href, lockFileContents: LOCK });

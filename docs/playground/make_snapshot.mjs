@@ -18,7 +18,8 @@ const python = await loadPyodide({
 const bridge = python.pyimport("bridge");
 for (const [call, ...given] of WARM_UP) bridge[call](...given);
 for (const capture of captures) {
-  const job = Number(bridge.start("open_file", basename(capture), new Uint8Array(readFileSync(capture))));
+  python.FS.writeFile(JSON.parse(bridge.place(basename(capture))), new Uint8Array(readFileSync(capture)));
+  const job = Number(bridge.start("open_file", basename(capture)));
   while (JSON.parse(bridge.go_on(job)).part !== undefined);
 }
 bridge.look("");

@@ -28,13 +28,17 @@ const hear = (news) => say({ real: JSON.parse(news) });
 /**
  * Does what takes long, step by step; other questions are answered between them. Returns the answer, null if it was given up.
  *
- * @param {import("./boot.js").Bridge} bridge
+ * A file is written first: the bytes behind its name.
+ *
+ * @param {import("./boot.js").Started} python
  * @param {number} number
  * @param {string} call
  * @param {unknown[]} given
  */
-const followed = async (bridge, number, call, given) => {
-  const job = bridge.start(call, ...given);
+const followed = async ({ bridge, write }, number, call, given) => {
+  const [name, bytes, ...rest] = given;
+  if (bytes instanceof Uint8Array) write(JSON.parse(bridge.place(name)), bytes);
+  const job = bytes instanceof Uint8Array ? bridge.start(call, name, ...rest) : bridge.start(call, ...given);
   for (;;) {
     const step = JSON.parse(bridge.go_on(Number(job)));
     if (step === null || step.part === undefined) return step?.answer ?? null;
@@ -50,11 +54,11 @@ onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
     begin(line);
     return;
   }
-  const { bridge, packages } = await started;
+  const python = await started, { bridge, packages } = python;
   const more = call === "connect" ? [carry, hear] : [];
   try {
     if (!isPrepared(call)) await packages;
-    say({ number, answer: isFollowed ? await followed(bridge, number, call, given) : JSON.parse(bridge[call](...given, ...more)) });
+    say({ number, answer: isFollowed ? await followed(python, number, call, given) : JSON.parse(bridge[call](...given, ...more)) });
   } catch (error) {
     say({ number, error: error instanceof Error ? error.message : String(error) });
   }

@@ -56,6 +56,7 @@ __all__ = [
     "made",
     "page",
     "panel",
+    "place",
     "play",
     "record",
     "remedies",
@@ -105,7 +106,10 @@ def look(text: str, expression: str = "") -> str:
 
 
 def start(name: str, *given: Any) -> str:
-    """Begins something that takes long: "look", as `look` reads; "open_file", with name and data of a file; "timeline".
+    """Begins something that takes long.
+
+    It is called as `name` says: "look", with a text and a filter; "open_file", with the name of a file that is in its
+    `place`, and a filter; "timeline", without anything.
 
     What was begun before is given up, unless it reads the same input.
 
@@ -128,12 +132,21 @@ def _look(text: str, expression: str = "") -> Steps:
     return _read(expression, lambda made: made.type(text))
 
 
-def _open_file(name: str, data: Any, expression: str = "") -> Steps:
-    """Reads a file; data is bytes or a JavaScript array."""
+def place(name: str) -> str:
+    """Returns the path at which a file with this name is to be written, to be opened. There is no other one then."""
+    for old in Path(_folder.name).iterdir():
+        old.unlink()
+    return json.dumps(str(_path(name)))
+
+
+def _path(name: str) -> Path:
     is_plain = _FILE_NAME.fullmatch(name) is not None
-    path = Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
-    path.write_bytes(_bytes(data))
-    return _read(expression, lambda made: made.open(path))
+    return Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
+
+
+def _open_file(name: str, expression: str = "") -> Steps:
+    """Reads a file that has its place."""
+    return _read(expression, lambda made: made.open(_path(name)))
 
 
 def _read(expression: str, read: Callable[[Input], Steps]) -> Steps:

@@ -51,6 +51,64 @@ def test_a_right_frame_with_more_bytes_is_never_accepted(name: str, frame: bytes
     assert any(one.problem is not None or ev3proto.check(one.data).findings for one in found), found
 
 
+UNREAD_SWAPPED = (
+    "bits",
+    "octal array",
+    "base64",
+    "hexdump",
+    "pairs of bytes",
+    "dotted pairs",
+    "xxd",
+    "tcpdump",
+    "gdb's x",
+    "continued",
+)
+"""Forms in which a length with its high byte first is other bytes, or may be anything."""
+
+
+SWAPPED = [frame(COMMANDS[name], 0x9F9F) for name in ("tone", "file", "start motors", "steer")]
+
+
+@each("name, frame", product([name for name in FORMS if name not in UNREAD_SWAPPED], SWAPPED))
+def test_a_length_with_the_high_byte_first_is_named(name: str, frame: bytes) -> None:
+    swapped = frame[1::-1] + frame[2:]
+    (piece,) = pieces(FORMS[name](swapped))
+    assert (without_padding(piece.data), piece.problem) == (swapped, None)
+    assert ev3proto.check(piece.data).findings
+
+
+@each("prefix", ["", "sent ", "data="])
+def test_half_a_byte_behind_a_frame_is_named(prefix: str) -> None:
+    (frame,) = frames_of("half", count=1)
+    (piece,) = pieces(f"{prefix}{frame.hex()}1")
+    assert piece.data == frame
+    assert piece.problem is not None
+    assert "odd number of hex digits" in piece.problem
+
+
+def test_frames_of_which_one_is_wrong_are_read_line_by_line() -> None:
+    first, second = frames_of("rows", count=2)
+    wrong = with_length(second, len(second))
+    for rows in ((wrong, first), (first, wrong), (wrong, wrong)):
+        texts = [
+            '12:30:45.123 write(3, "{}", 16) = 16'.format("".join(f"\\{byte:03o}" for byte in row)) for row in rows
+        ]
+        assert [piece.data for piece in pieces("\n".join(texts))] == list(rows)
+
+
+def test_an_index_that_begins_anew_begins_a_frame() -> None:
+    frames = frames_of("index", count=2)
+    wrong = with_length(frames[0], len(frames[0]))
+    lines = [f"buf[{at}] = 0x{byte:02X};" for frame in (frames[1], wrong, frames[1]) for at, byte in enumerate(frame)]
+    assert [piece.data for piece in pieces("\n".join(lines))] == [frames[1], wrong, frames[1]]
+
+
+def test_a_type_in_brackets_is_not_an_unknown_byte() -> None:
+    frames = frames_of("type", count=2)
+    lines = [f"let bytes: [UInt8] = [{', '.join(f'0x{byte:02x}' for byte in frame)}]" for frame in frames]
+    assert [(piece.data, piece.unknown) for piece in pieces("\n".join(lines))] == [(frame, ()) for frame in frames]
+
+
 @each("form, frame", product(("{}", "sent {}", "12:30:45 {}", "0x{}"), frames_of("behind")))
 def test_hex_behind_a_frame_belongs_to_it(form: str, frame: bytes) -> None:
     for more in ("01", "b122", "0x01", "01 02", "b12200"):

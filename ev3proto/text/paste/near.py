@@ -27,7 +27,7 @@ from ev3proto.text.paste.frames import (
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
-from ev3proto.text.paste.sequences import Part, Values, best, within
+from ev3proto.text.paste.sequences import Part, Values, within
 from ev3proto.text.paste.strangers import strange_bytes
 from ev3proto.text.paste.tokens import BYTES, MISSPELT, Token, clean, string_bytes
 
@@ -90,7 +90,7 @@ def near(sequences: Iterable[Values], rows: Sequence[Row]) -> Near | None:
 def _scanned(row: Row) -> Near | None:
     """Returns the bytes in front of a letter that is read for a digit in a scanned picture: `O` for 0, `l` for 1."""
     slip = _MISREAD.search(row.line)
-    meant = best(of_line(Row(_MISREAD.sub(_corrected, row.line), row.number))) if slip else None
+    meant = Row(_MISREAD.sub(_corrected, row.line), row.number).reading if slip else None
     if slip is None or meant is None or not meant.worth.natural:
         return None
     part = meant.parts[0]
@@ -202,31 +202,32 @@ def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> boo
 
 def _begun(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes that break off at a slip, an ellipsis, or the end of the line."""
-    line = rows[0].line
     for values in (one for one in sequences if not one.is_guess):
         for base in values.bases[:2] if values.bases[0] != "base64" else ():
             for part in islice(_parts(values, base), _MOST_STARTS):
-                is_cut = part.last < len(values.tokens) and values.tokens[part.last].kind == "cut"
-                for start, end in islice(values.between_breaks(part), _MOST_STARTS):
-                    end = len(part.data) if is_cut else end
-                    data, (first, _) = part.data[start:end], values.span(part, start, end)
-                    before = (
-                        line[max(0, first.start - _MOST_BEFORE) : first.start] if first.line == rows[0].number else ""
-                    )
-                    if _ADDRESS.match(line, first.start) or _is_digest(part, data):
-                        continue
-                    found = _with_stop(Near(data, values, part, start, end), base, rows)
-                    if _is_meant(found, values, before) and not _is_strange(data):
-                        yield found
-    if lesson := _LESSON.match(line.lstrip()):
-        word = _WORD.match(line, at := line.index("|") + 1)
-        if word is not None and BYTES["hex"][word[1]] is None and rows[0].tokens:
-            first = rows[0].tokens[0]
-            problem = f"column {at + 1}: {not_a_byte(word[1])}"
-            yield Near(
-                b"", Values([first]), Part(0, b"\0", [0, 1], []), 0, 1, problem, slip=SlipPlace(rows[0].number, at + 1)
-            )
-        assert lesson
+                yield from _begun_in(values, base, part, rows)
+    first = rows[0]
+    word = _WORD.match(first.line, first.line.index("|") + 1) if _LESSON.match(first.line.lstrip()) else None
+    if word is not None and BYTES["hex"][word[1]] is None and first.tokens:
+        column = word.start(1) + 1
+        problem, slip = f"column {column}: {not_a_byte(word[1])}", SlipPlace(first.number, column)
+        yield Near(b"", Values(first.tokens[:1]), Part(0, b"\0", [0, 1], []), 0, 1, problem, slip=slip)
+
+
+def _begun_in(values: Values, base: str, part: Part, rows: Sequence[Row]) -> Iterator[Near]:
+    """Yields bytes in a part of a sequence that break off."""
+    is_cut = part.last < len(values.tokens) and values.tokens[part.last].kind == "cut"
+    for start, end in islice(values.between_breaks(part), _MOST_STARTS):
+        end = len(part.data) if is_cut else end
+        data, (first, _) = part.data[start:end], values.span(part, start, end)
+        is_first = first.line == rows[0].number
+        before = rows[0].line[max(0, first.start - _MOST_BEFORE) : first.start] if is_first else ""
+        is_one = start + 1 == end < len(part.data) and not before.endswith("|")
+        if is_one or _ADDRESS.match(rows[0].line, first.start) or _is_digest(part, data):
+            continue
+        found = _with_stop(Near(data, values, part, start, end), base, rows)
+        if _is_meant(found, values, before) and not _is_strange(data):
+            yield found
 
 
 def _parts(values: Values, base: str) -> Iterator[Part]:
@@ -241,17 +242,16 @@ def _parts(values: Values, base: str) -> Iterator[Part]:
 
 def _is_meant(found: Near, values: Values, before: str) -> bool:
     """Returns whether bytes in front of a slip or an end were meant as a frame."""
-    is_lesson = before.endswith(("0x|", "0X|"))
-    is_said = bool(before.strip()) and is_head(before) and head_of(before).direction is not None
-    data, is_stopped = found.data, found.cut or found.problem is not None
-    is_counted = bool({1, 3} & {*values.widths}) and data[LEAST - 1 :] < b"\x80"
+    data, is_lesson = found.data, before.endswith(("0x|", "0X|"))
     if is_prose(data) and not is_lesson:
         return False
     is_begun = may_begin(data) or (found.problem is not None and frame_end(data) == len(data))
-    if len(data) >= (2 if is_lesson else LEAST) and is_begun and not is_counted:
+    is_counted = bool({1, 3} & {*values.widths})
+    if len(data) >= (2 if is_lesson else LEAST) and is_begun and not (is_counted and data[LEAST - 1 :] < b"\x80"):
         return True
-    is_listed = not {1, 3} & {*values.widths} or before.rstrip().endswith(("[", "{", "("))
-    return (is_said and is_stopped and is_listed and len(data) > 1) or (is_lesson and is_said and is_stopped)
+    is_listed = len(data) > 1 and (not is_counted or before.rstrip().endswith(("[", "{", "(")))
+    is_stopped = found.cut or found.problem is not None
+    return is_stopped and (is_lesson or is_listed) and is_head(before) and head_of(before).direction is not None
 
 
 def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:

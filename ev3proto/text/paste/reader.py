@@ -199,7 +199,7 @@ class Reader:
             self._before.append(line)
             return
         row = Row(clean(line), number)
-        reading = best(of_line(row))
+        reading = row.reading
         is_done = not row.tokens or len(line) > MAX_COLLECTED or _is_done(reading, row)
         if not is_done and (places := openings(row)):
             self._block = Block(row, places, self._said())
@@ -247,19 +247,21 @@ class Reader:
             problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
             yield Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=problem)
             return
-        for start, places in ((0, block.places), (1, openings(rows[1]) if len(rows) > LEAST else [])):
-            # Without the first row, which may be a heading with a number in it.
-            if len(rows) > 1 and places and (found := _together(rows[start:], places)) is not None:
-                yield from self._line(rows[0], None, above) if start else ()
-                yield from self._emit(rows[start:], *found, above)
-                return
+        found = _together(rows, block.places) if len(rows) > 1 else None
+        if found is None and len(rows) > LEAST and rows[0].after != rows[1].after and (places := openings(rows[1])):
+            # The first row may be a heading with a number in it.
+            found = _together(rows[1:], places)
+            yield from self._line(rows.pop(0), None, above) if found is not None else ()
+        if found is not None:
+            yield from self._emit(rows, *found, above)
+            return
         if block.shown:
             tokens = [token for row in rows for token in block.values_of(row)]
             if any(token.text.strip("0x") for token in tokens):
                 yield _follows(tokens)
             return
         for row in rows:
-            yield from self._line(row, best(of_line(row)), above)
+            yield from self._line(row, row.reading, above)
 
     def _line(self, row: Row, reading: Reading | None, above: Head) -> Iterator[Pasted]:
         """Yields what a line has by itself."""
@@ -363,7 +365,7 @@ def _together(rows: list[Row], places: list[int]) -> tuple[Reading | None, Near 
         return None if one is None else (None, one)
     first, last = one.values.span(one.part, one.start, one.end)
     is_row = first.line == last.line and one.problem is None and not one.cut
-    is_each = is_row or any(alone is not None and alone.worth.natural for alone in map(best, map(of_line, rows)))
+    is_each = is_row or any(row.reading is not None and row.reading.worth.natural for row in rows)
     return None if is_each else (None, one)
 
 

@@ -74,6 +74,19 @@ def test_pieces_fill_a_frame_and_no_more(brick: Brick, projects: Path) -> None:
     assert (first[12:], second[12:]) == (data[:1012], data[1012:2024])
 
 
+@pytest.mark.parametrize("asked", [3, 4, 5])
+def test_what_is_appended_during_an_upload_is_not_sent(brick: Brick, projects: Path, asked: int) -> None:
+    """The size is told with the first piece: 2 + 4 bytes."""
+    projects.mkdir(exist_ok=True)
+    (projects / "data.rtf").write_bytes(b"abcdef")
+    (first,) = brick.receive(system.begin_upload("/home/root/lms2012/prjs/data.rtf", 2).build())
+    assert (first[7:11], first[12:]) == (b"\x06\0\0\0", b"ab")
+    with (projects / "data.rtf").open("ab") as file:
+        file.write(b"ghi")
+    (second,) = brick.receive(system.continue_upload(first[11], asked).build())
+    assert (second[6], second[8:]) == ((0, b"cde") if asked == 3 else (8, b"cdef"))
+
+
 def test_all_of_a_file_in_the_first_frame(brick: Brick, projects: Path) -> None:
     frame = bytearray(system.begin_download("../prjs/a.rtf", 3).build() + b"abcdef")
     frame[:2] = (len(frame) - 2).to_bytes(2, "little")

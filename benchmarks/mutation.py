@@ -39,7 +39,15 @@ class Part(NamedTuple):
 
 _SIDE_BY_SIDE = ("tests/schema/test_frame_buffer.py", "tests/schema/test_boundaries.py")
 _SCHEMA = ("test_schema", "test_byte_code", "test_system_frames", "test_discovery", "test_stream")
-_CHECKING = ("test_checking", "test_advice", "test_verdict", "test_alone", "test_nearest", "test_fixing")
+_CHECKING = (
+    "test_checking",
+    "test_advice",
+    "test_devices",
+    "test_verdict",
+    "test_alone",
+    "test_nearest",
+    "test_fixing",
+)
 
 PARTS = {
     "schema": Part(
@@ -53,13 +61,16 @@ PARTS = {
     ),
     "semantics": Part(
         ("ev3proto/semantics/*.py", "ev3proto/semantics/drafts/*.py"),
-        (_SIDE_BY_SIDE[1], "tests/semantics", "tests/compose", "tests/checking/test_checking.py"),
+        (_SIDE_BY_SIDE[1], "tests/semantics", "tests/compose", *(f"tests/checking/{name}.py" for name in _CHECKING)),
     ),
     "checking": Part(
         ("ev3proto/checking/*.py", "ev3proto/checking/rules/*.py"),
         (_SIDE_BY_SIDE[1], *(f"tests/checking/{name}.py" for name in _CHECKING)),
     ),
-    "framing": Part(("ev3proto/capture/framing.py",), (_SIDE_BY_SIDE[0], "tests/capture/test_capture_streams.py")),
+    "framing": Part(
+        ("ev3proto/capture/framing.py",),
+        (_SIDE_BY_SIDE[0], "tests/capture/test_capture_streams.py", "tests/capture/test_resynchronising.py"),
+    ),
     "session": Part(("ev3proto/link/session.py",), ("tests/link/test_link_session.py",)),
 }
 

@@ -555,6 +555,25 @@ def test_system_commands() -> None:
 
 
 @pytest.mark.parametrize(
+    ("frame", "found"),
+    [
+        ("0300 2A00 01", ["E801"]),
+        ("0400 2A00 01", ["E102"]),
+        ("0200 2A00 01", ["E103"]),
+        ("0400 2A00 01 98", ["E802"]),
+        ("0500 2A00 01 98", ["E102"]),
+        ("0300 2A00 01 98", ["E103"]),
+        ("0500 2A00 01 98 00", []),
+        ("0600 2A00 01 98 00", ["E102"]),
+        ("0400 2A00 01 98 00", ["E103"]),
+    ],
+)
+def test_a_wrong_length_is_one_finding(frame: str, found: list[str]) -> None:
+    """CLOSE_FILEHANDLE has its number and a handle; what lacks because of the length is not said again."""
+    assert codes(bytes.fromhex(frame)) == found
+
+
+@pytest.mark.parametrize(
     ("path", "part"),
     [
         ("../prjs/" + "x" * 31 + ".rbf", None),
@@ -710,3 +729,47 @@ def test_a_text_that_is_too_long_is_counted(characters: int, sentence: str | Non
     else:
         over = characters - 119
         assert about == [(f"NAME has {sentence}; the firmware accepts at most 119", f"shorten it by {over}")]
+
+
+def requesting(globals_: int) -> bytes:
+    contents = bytes.fromhex("2A00 00") + globals_.to_bytes(2, "little") + b"\x01"
+    return len(contents).to_bytes(2, "little") + contents
+
+
+def stating(size: int, length: int) -> bytes:
+    return length.to_bytes(2, "little") + bytes.fromhex("2A00 80 0000") + b"\x01" * (size - 7)
+
+
+def mailing(name: int, message: int) -> bytes:
+    return ev3proto.system_command("WRITEMAILBOX", name="a" * name, payload=bytes(message), reply=False).build()
+
+
+def downloading(size: int) -> bytes:
+    return ev3proto.system_command("BEGIN_DOWNLOAD", path="../prjs/a.rbf", size=size).build()
+
+
+@pytest.mark.parametrize(
+    ("frame", "found"),
+    [
+        (requesting(0), []),
+        (requesting(1019), ["H401"]),
+        (requesting(1020), ["W102"]),
+        (requesting(1021), ["W102"]),
+        (requesting(1022), ["E107"]),
+        (requesting(1023), ["E107"]),
+        (stating(1024, 1021), ["E103"]),
+        (stating(1024, 1022), []),
+        (stating(1024, 1023), ["E102"]),
+        (stating(1025, 1022), ["E103"]),
+        (stating(1025, 1023), ["E104"]),
+        (stating(1025, 1024), ["E104"]),
+        (mailing(49, 250), []),
+        (mailing(49, 251), ["W804"]),
+        (mailing(50, 250), ["W804"]),
+        (downloading(1 << 24), []),
+        (downloading((1 << 24) + 1), ["W807"]),
+    ],
+)
+def test_limits(frame: bytes, found: list[str]) -> None:
+    """A reply carries 1,019 bytes, the firmware grants 1,021; a frame has 1,024, a mailbox 250, a brick 16 MB."""
+    assert codes(frame) == found

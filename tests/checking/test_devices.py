@@ -117,3 +117,12 @@ def reading(globals: int, *operations: str) -> list[str]:
 )
 def test_bytes_of_the_reply_that_nothing_writes(globals: int, operations: tuple[str, ...], expected: list[str]) -> None:
     assert reading(globals, *operations) == expected
+
+
+@pytest.mark.parametrize(
+    ("size", "found"), [(1, []), (2, ["H401"]), (3, ["H401"]), (4, ["H402"]), (5, ["H401"]), (8, ["H401"])]
+)
+def test_memory_for_a_float_of_which_a_byte_is_written(size: int, found: list[str]) -> None:
+    """INPUT_READ writes a byte to GV(0); other memory is requested for nothing."""
+    contents = bytes.fromhex("2A00 00") + bytes((size, 0)) + bytes.fromhex("9A 00 00 00 00 60")
+    assert [one.code for one in check(len(contents).to_bytes(2, "little") + contents).findings] == found

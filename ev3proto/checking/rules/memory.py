@@ -242,7 +242,7 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     if not asked or asked > MOST_IN_REPLY:
         return
     end = needed([place for _, place in used])
-    if end is None or end >= asked or (asked - end < _LARGEST and end and asked % _LARGEST == 0):
+    if end is None or end >= asked or (asked - end < _LARGEST and asked % _LARGEST == 0):
         return
     share = f"only {end} are" if end else "none are"
     yield codes.UNUSED_MEMORY.finding(

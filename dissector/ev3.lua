@@ -1667,7 +1667,6 @@ do
         asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
         count, shared, shared_count, conversations = 0, {}, 0, {}
     end
-    dialogues.forget()
 
     local function set_number(place, number)
         local packet = storage.number_of(place)
@@ -2649,8 +2648,15 @@ end
 local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
--- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
+-- `forget`, which drops the state of the last capture and begins each; optionally `prefs_changed`.
 local carriers = {}
+
+-- Looking up these methods for each packet would take longer than calling them.
+local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
+
+local function is_command(type)
+    return type.is_command
+end
 
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge
@@ -3368,15 +3374,8 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Looking up these methods for each packet would take longer than calling them.
-    local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
-
     local function is_from_host(pinfo)
         return pinfo.src_port == HOST
-    end
-
-    local function is_command(type)
-        return type.is_command
     end
 
     local function is_control(pinfo)
@@ -3404,7 +3403,6 @@ do
     local function forget_devices()
         taken, marked = {}, nil
     end
-    forget_devices()
 
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
@@ -3543,7 +3541,6 @@ do
     local function forget_streams()
         packets, streams = {}, {}
     end
-    forget_streams()
 
     -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
@@ -3561,10 +3558,6 @@ do
             table.insert(conversation.sides, stream)
         end
         return conversation, stream
-    end
-
-    local function is_command(type)
-        return type.is_command
     end
 
     -- Bricks write into each other's mailboxes, so some commands come from a brick.
@@ -3785,9 +3778,6 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Looking up these methods for each packet would take longer than calling them.
-    local bytes_of, offset_of = Tvb.raw, Tvb.offset
-
     -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
     -- `bricks`, from where beacons came, at port 0. `answers`: the bricks of the packets to these. `has_found`: whether
     -- connections on other ports were claimed.
@@ -3856,7 +3846,6 @@ do
         bricks, answers, announced, has_found = {}, {}, {}, false
         buffers, connections = {}, {}
     end
-    forget_wifi()
 
     -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
     -- is the brick.
@@ -3870,11 +3859,11 @@ do
     end
 
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
-    local function is_command(type)
+    local function goes_to_brick(type)
         return type.is_command or type.carries == "daisy"
     end
 
-    local function is_reply(type)
+    local function comes_from_brick(type)
         return not type.is_command or type.carries == "daisy"
     end
 
@@ -3882,7 +3871,7 @@ do
     do
         -- Returns which types go in the direction of a packet.
         local function types_of(pinfo, conversation)
-            return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
+            return is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick or comes_from_brick
         end
 
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
@@ -4250,7 +4239,7 @@ do
         dialogues.forget()
         first_cut, streaming.sure_places = math.huge, {}
         for _, carrier in ipairs(carriers) do
-            if carrier.forget then carrier.forget() end
+            carrier.forget()
         end
     end
 
@@ -4277,4 +4266,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: a97c881aeda25403
+-- Checksum of the lines above, by which a changed file is recognised: 006bf157ba09bdd6

@@ -14,7 +14,6 @@ do
     local function forget_streams()
         packets, streams = {}, {}
     end
-    forget_streams()
 
     -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
@@ -32,10 +31,6 @@ do
             table.insert(conversation.sides, stream)
         end
         return conversation, stream
-    end
-
-    local function is_command(type)
-        return type.is_command
     end
 
     -- Bricks write into each other's mailboxes, so some commands come from a brick.

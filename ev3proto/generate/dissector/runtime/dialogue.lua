@@ -27,7 +27,6 @@ do
         asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
         count, shared, shared_count, conversations = 0, {}, 0, {}
     end
-    dialogues.forget()
 
     local function set_number(place, number)
         local packet = storage.number_of(place)

@@ -51,8 +51,15 @@ end
 local claiming, finding = {}, {}
 
 -- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
--- optionally `forget`, which drops the state of the last capture, and `prefs_changed`.
+-- `forget`, which drops the state of the last capture and begins each; optionally `prefs_changed`.
 local carriers = {}
+
+-- Looking up these methods for each packet would take longer than calling them.
+local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
+
+local function is_command(type)
+    return type.is_command
+end
 
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge

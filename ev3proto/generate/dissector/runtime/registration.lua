@@ -29,7 +29,7 @@ do
         dialogues.forget()
         first_cut, streaming.sure_places = math.huge, {}
         for _, carrier in ipairs(carriers) do
-            if carrier.forget then carrier.forget() end
+            carrier.forget()
         end
     end
 

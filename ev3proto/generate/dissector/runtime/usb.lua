@@ -6,15 +6,8 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    -- Looking up these methods for each packet would take longer than calling them.
-    local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
-
     local function is_from_host(pinfo)
         return pinfo.src_port == HOST
-    end
-
-    local function is_command(type)
-        return type.is_command
     end
 
     local function is_control(pinfo)
@@ -42,7 +35,6 @@ do
     local function forget_devices()
         taken, marked = {}, nil
     end
-    forget_devices()
 
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)

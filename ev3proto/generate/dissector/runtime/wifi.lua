@@ -7,9 +7,6 @@ do
 
     local tcp_ports = DissectorTable.get("tcp.port")
 
-    -- Looking up these methods for each packet would take longer than calling them.
-    local bytes_of, offset_of = Tvb.raw, Tvb.offset
-
     -- Lists of addresses by port, each with the `name` of its brick: `announced`, where bricks listen by their beacons;
     -- `bricks`, from where beacons came, at port 0. `answers`: the bricks of the packets to these. `has_found`: whether
     -- connections on other ports were claimed.
@@ -78,7 +75,6 @@ do
         bricks, answers, announced, has_found = {}, {}, {}, false
         buffers, connections = {}, {}
     end
-    forget_wifi()
 
     -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
     -- is the brick.
@@ -92,11 +88,11 @@ do
     end
 
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
-    local function is_command(type)
+    local function goes_to_brick(type)
         return type.is_command or type.carries == "daisy"
     end
 
-    local function is_reply(type)
+    local function comes_from_brick(type)
         return not type.is_command or type.carries == "daisy"
     end
 
@@ -104,7 +100,7 @@ do
     do
         -- Returns which types go in the direction of a packet.
         local function types_of(pinfo, conversation)
-            return is_to_named(conversation or connection_of(pinfo), pinfo) and is_command or is_reply
+            return is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick or comes_from_brick
         end
 
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and

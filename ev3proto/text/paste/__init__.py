@@ -3,6 +3,11 @@ r"""Text that people paste -> the bytes of frames: log lines, hex, byte strings,
 One rule says what a frame is: byte values, in any notation, whose length field fits them, wherever they are in a text
 and whatever is around them. The protocol decides which values are bytes, and in which base.
 
+To add a notation, add an example to `docs/notations.md`: tests read it, in prose, in rows, and among other lines. If it
+is not read, its values are unknown or what is between them: add a row to `FORMS` in `tokens` with its kind, an example
+and a pattern (a suffix, a mark, a comment). A value with bytes of a new kind needs a line in `_bytes_of`, too. Nothing
+else knows notations: if values are found but the frame is not, the order of worth is in `sequences.Worth`.
+
     tokens       a line -> the values in it, and the bytes of a value in each base; a row for each form
     sequences    values -> their bytes in each base -> the likeliest reading
     rows         lines that look alike -> sequences of their values

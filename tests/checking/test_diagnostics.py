@@ -50,6 +50,15 @@ def test_one_finding() -> None:
     ]
 
 
+def test_a_gutter_tells_the_lines_with_bytes() -> None:
+    lines = diagnostics(report(TONE, LOW), nearest=())
+    assert [plain_text(line)[:6] for line in lines if line and line[0][1] == Role.GUTTER] == [
+        "     |",
+        "  +0 |",
+        "     |",
+    ]
+
+
 def test_findings_on_the_same_bytes_share_them() -> None:
     lines = texts(diagnostics(report(TONE, QUIET, LOW, LONG), place="frame 3", nearest=()))
     assert lines[0] == "frame 3: the brick accepts it; 1 error, 1 warning, 1 hint"

@@ -203,7 +203,8 @@ def _program(names: Sequence[str], path: Path | None, building: Building) -> int
     """Assembles a program and writes its image. Returns the exit status."""
     from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
 
-    about_frames = given_options("counter", "reply", "unchecked", "filter", "no_length", "only_operations")
+    names_of_frames = ("--counter", "--reply", "--no-reply", "--unchecked", "--filter", "--no-length", "--operations")
+    about_frames = given_options(*names_of_frames)
     if about_frames:
         raise incompatible(", ".join(about_frames), "--to rbf or -o FILE.rbf")
     return encode_program(named(names), path, **asdict(building))

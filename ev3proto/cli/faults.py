@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 from random import Random
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
 from ev3proto.brick.servers.faults import Faults
-from ev3proto.cli.options import FiniteRange
+from ev3proto.cli.options import F, FiniteRange
 
 _SHARE = FiniteRange(0, 1)
 _MOST_DELAY = 60
@@ -23,8 +22,6 @@ _OPTIONS = (
     click.option("--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte."),
     click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies in every run."),
 )
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 
 def fault_options(command: F) -> F:

@@ -117,10 +117,9 @@ def exclusive(first: str, *others: str, reason: str = "") -> Callable[[F], F]:
     def added(command: F) -> F:
         @functools.wraps(command)
         def called(*arguments: Any, **given: Any) -> Any:
-            one = _typed(first)
-            wrong = [*filter(None, map(_typed, others))] if one else []
-            if wrong:
-                raise incompatible(str(one), ", ".join(wrong), reason)
+            for one in given_options(first):
+                if wrong := given_options(*others):
+                    raise incompatible(one, ", ".join(wrong), reason)
             return command(*arguments, **given)
 
         return called  # type: ignore[return-value]
@@ -152,13 +151,5 @@ def incompatible(first: str, second: str, reason: str = "") -> click.UsageError:
 
 
 def given_options(*names: str) -> list[str]:
-    """Returns those of some options that were typed, as they are written; of two opposite ones, the one given."""
-    context = click.get_current_context()
-    typed = [name for name in names if context.get_parameter_source(name) is ParameterSource.COMMANDLINE]
-    options = {str(option.name): option for option in context.command.params}
-    return [
-        (options[name].secondary_opts or options[name].opts)[-1]
-        if context.params.get(name) is False
-        else options[name].opts[-1]
-        for name in typed
-    ]
+    """Returns those of some options, named as for `exclusive`, that were typed on the command line."""
+    return [typed for typed in map(_typed, names) if typed is not None]

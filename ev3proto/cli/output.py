@@ -14,15 +14,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from itertools import chain, islice
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO, TypeVar, cast
+from typing import Any, BinaryIO, TextIO, cast
 
 import click
 
-from ev3proto.cli.options import FILE
+from ev3proto.cli.options import FILE, F
 from ev3proto.text.spans import Role, Spans, plain_text, visible, visible_lines
 from ev3proto.whole_files import whole_file
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 STYLES: dict[str, dict[str, Any]] = {
     Role.HEADING: {"bold": True},

@@ -11,14 +11,14 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, NoReturn, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, BinaryIO, NoReturn, TypeAlias
 
 import click
 
 from ev3proto.bounded import DEFAULT_MEMORY
 from ev3proto.capture.record import Announcement, Record, Skipped
 from ev3proto.checking.report import Severity
-from ev3proto.cli.options import Whole, dialect_option, exclusive, tshark_option
+from ev3proto.cli.options import F, Whole, dialect_option, exclusive, tshark_option
 from ev3proto.cli.output import ProgressBar, complain, flush, say
 from ev3proto.reading.given import Given, given_word, is_file
 from ev3proto.reading.incoming import IncomingFile
@@ -249,8 +249,6 @@ def _explain_filters(context: click.Context, _parameter: click.Parameter, is_wan
     say("\n".join(manual()))
     context.exit()
 
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 _OPTIONS = (
     dialect_option,

@@ -66,7 +66,7 @@ class Session:
 
     def __init__(self, first_counter: int = FIRST_COUNTER) -> None:
         """Starts a session without commands."""
-        self._next = first_counter % COUNTERS
+        self._next = first_counter
         self._waiting: dict[int, Request] = {}
         self._abandoned: Bounded[int, Request] = Bounded(MOST_ABANDONED)
         self._stream = ReplyStream(self._waiting.__contains__)
@@ -91,7 +91,7 @@ class Session:
         counter = self._free_counter()
         frame = build_frame(kind, counter, body)
         request = Request(counter, frame, kind.wants_reply)
-        self._next = (counter + 1) % COUNTERS
+        self._next = counter + 1
         if request.wants_reply:
             self._wait_for(request)
         return request

@@ -773,3 +773,9 @@ def downloading(size: int) -> bytes:
 def test_limits(frame: bytes, found: list[str]) -> None:
     """A reply carries 1,019 bytes, the firmware grants 1,021; a frame has 1,024, a mailbox 250, a brick 16 MB."""
     assert codes(frame) == found
+
+
+@pytest.mark.parametrize("distance", ["00", "01", "02"])
+def test_a_jump_to_what_cannot_be_read_is_not_one_into_an_operation(distance: str) -> None:
+    """To NOP, to the unknown opcode FE, and to the end."""
+    assert codes(bytes.fromhex(f"0900 2A00 80 0000 40 {distance} 01 FE")) == ["E201"]

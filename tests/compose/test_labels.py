@@ -8,6 +8,8 @@ import pytest
 
 import ev3proto
 from ev3proto import LV, BuildError, DirectCommand, Label, Local, ops
+from ev3proto.schema.argument import encode_integer
+from ev3proto.semantics.drafts.placeholders import settle
 
 
 def code(command: DirectCommand) -> str:
@@ -78,3 +80,14 @@ def test_errors_about_labels(call: Callable[[], object], sentence: str) -> None:
     with pytest.raises(BuildError) as caught:
         call()
     assert str(caught.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("between", "size"), [(30, 1), (31, 1), (32, 2), (126, 2), (127, 2), (128, 3), (32767, 3), (32768, 5)]
+)
+def test_a_jump_forwards_has_the_bytes_that_its_distance_needs(between: int, size: int) -> None:
+    """EV3-G begins with the longest jumps, and shortens them; other assemblers begin with the shortest."""
+    for first, is_shrinking in ((5, True), (1, False)):
+        sizes = [first, between]
+        settle(sizes, {0: 2}, lambda distance: len(encode_integer(distance)), is_shrinking=is_shrinking)
+        assert sizes == [size, between]

@@ -10,6 +10,7 @@ import { change, state } from "./state.js";
 export const LITTLE = 4000;
 /** Milliseconds: until a long text that is typed is read; until reading is said; until its progress is shown. */
 const PAUSE = 400, SOON = 300, LATE = 1000;
+const READING = "Reading …";
 
 /**
  * The pythons, and what they are doing.
@@ -77,11 +78,13 @@ const theReader = () => (work.reader ??= new Python("reader", (said) => { if (sa
 const readBy = async (python, mine, call, given) => {
   const isNow = () => mine === work.turn;
   let isMore = false;
-  const soon = setTimeout(() => { if (isNow()) change({ status: "Reading …" }); }, SOON);
+  const soon = setTimeout(() => { if (isNow()) change({ status: READING }); }, SOON);
   const late = setTimeout(() => { if (isNow()) change({ progress: { part: 0, count: 0 } }); }, LATE);
   /** @param {{answer?: Answer, part: number, count: number}} part */
   const hearPart = ({ answer, ...progress }) => {
     if (!isNow()) return;
+    // A part is never taken for the whole.
+    if (!state().status) change({ status: READING });
     work.source = python;
     if (answer) {
       work.show(answer, isMore, false);

@@ -211,6 +211,15 @@ def test_a_missing_result_takes_the_memory_that_is_left(size: str, codes: list[s
     assert [one.frame.hex(" ")[-5:] for one in found] == codes
 
 
+@pytest.mark.parametrize(
+    ("kind", "written"), [("width", "81 00 00 C0 3F"), ("width", "82 00 00 C0 3F"), ("raw", "00 00 C0 3F")]
+)
+def test_a_float_that_is_written_in_another_way(kind: str, written: str) -> None:
+    """MOVEF_F takes 1.5 as 83 00 00 C0 3F."""
+    (one, *_) = code(f"3F {written} 60", header="0100 00 0400")
+    assert (one.kind, one.frame[7:]) == (kind, bytes.fromhex("3F 83 00 00 C0 3F 60"))
+
+
 def test_a_run_has_a_limit() -> None:
     suggestions = search.Suggestions()
     for number in range(101):

@@ -103,6 +103,13 @@ def test_an_index_that_begins_anew_begins_a_frame() -> None:
     assert [piece.data for piece in pieces("\n".join(lines))] == [frames[1], wrong, frames[1]]
 
 
+def test_columns_with_a_word_in_front_of_the_first_row() -> None:
+    (frame,) = frames_of("columns", count=1)
+    names = {0: "size", 2: "number", 4: "type", 5: "memory", 7: "operation"}
+    lines = [f"{'' if at else 'Byte:':5} {at:2}  0x{byte:02X}  {names.get(at, '')}" for at, byte in enumerate(frame)]
+    assert [piece.data for piece in pieces("\n".join(lines))] == [frame]
+
+
 def test_a_type_in_brackets_is_not_an_unknown_byte() -> None:
     frames = frames_of("type", count=2)
     lines = [f"let bytes: [UInt8] = [{', '.join(f'0x{byte:02x}' for byte in frame)}]" for frame in frames]

@@ -38,12 +38,12 @@ MOST = {
 }
 """Limit of each kind of output, as a multiple of tshark's own time."""
 MOST_BYTES = 2400
-"""Bytes of memory per packet: in a capture as short as these, much of it is the dissector itself, and garbage, which is
-collected when Lua's memory is four times as large as after the last time."""
+"""Bytes of memory per packet: in a capture as short as these, much of it is the dissector itself, and the contents of
+commands that do not repeat, as of the random ones."""
 MOST_EACH = {"one line": 60, "-V": 250}
 """Additional microseconds per packet on any carrier. It is not a ratio, as tshark without the dissector does almost
 nothing with the contents of USB and Bluetooth packets."""
-LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 3.2, 450
+LONG, LONG_ROUNDS, MOST_LONG, MOST_LONG_BYTES = 150_000, 2, 3.2, 400
 """The same for a long capture: commands, rounds, and the limit for one line."""
 
 

@@ -2387,9 +2387,11 @@ do
                 added:add(meaning.field, range, meaning.value)
             end
             -- A piece of a listing may begin and end within a line.
-            for line in (declared.kind == LISTING and value or ""):gmatch("[^\n]+") do
+            for line in (declared.kind == LISTING and found.value or ""):gmatch("[^\n]+") do
                 local size, name = line:match("^%x+ (%x+) (.+)$")
-                added:add(range, size and format("%s, %d bytes", name, tonumber(size, 16)) or line)
+                local shown = phrases.on_one_line(name or line)
+                if size then shown = format("%s, %s bytes", shown, phrases.number_text(tonumber(size, 16))) end
+                added:add(range, shown)
             end
         end
         add_rest(message, view, message.rest)
@@ -4266,4 +4268,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 006bf157ba09bdd6
+-- Checksum of the lines above, by which a changed file is recognised: 110cfad78701c987

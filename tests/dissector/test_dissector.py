@@ -140,6 +140,21 @@ def test_no_control_character_is_in_a_line(tshark: Tshark) -> None:
     assert said == 'COM_SET.SET_BRICKNAME name="a\u241b\u2421\ufffd\ufffdä"'
 
 
+def test_no_control_character_is_in_the_files_of_a_listing(tshark: Tshark) -> None:
+    """A line for each file; a size may have any number of digits."""
+    digest = b"0" * 32
+    listing = digest + b" 0000000A a\x1b[31m\x9bb%n\n" + digest + b" " + b"F" * 12 + b" c\nd\x7f/\n"
+    body = struct.pack("<BBIB", 0x99, 0, len(listing), 0) + listing
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(bytes.fromhex("0a00 0100 01 99 e803 2f707200"))
+    connection.receive(struct.pack("<HHB", 3 + len(body), 1, 0x03) + body)
+    shown = tshark.run(tshark.place(capture.data(), "listing.pcap"), "-V", "-O", "ev3").splitlines()
+    at = next(index for index, line in enumerate(shown) if line.startswith("    List: "))
+    files = ["a\u241b[31m\ufffdb%n, 10 bytes", "c, 281474976710655 bytes", "d\u2421/"]
+    assert shown[at + 1 : at + 4] == [f"        {line}" for line in files]
+
+
 def test_messages_to_mailboxes_are_read(tshark: Tshark) -> None:
     """Their bytes, and each reading that fits: a frame does not say which one was meant."""
     said = {

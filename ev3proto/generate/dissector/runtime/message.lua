@@ -195,9 +195,11 @@ do
                 added:add(meaning.field, range, meaning.value)
             end
             -- A piece of a listing may begin and end within a line.
-            for line in (declared.kind == LISTING and value or ""):gmatch("[^\n]+") do
+            for line in (declared.kind == LISTING and found.value or ""):gmatch("[^\n]+") do
                 local size, name = line:match("^%x+ (%x+) (.+)$")
-                added:add(range, size and format("%s, %d bytes", name, tonumber(size, 16)) or line)
+                local shown = phrases.on_one_line(name or line)
+                if size then shown = format("%s, %s bytes", shown, phrases.number_text(tonumber(size, 16))) end
+                added:add(range, shown)
             end
         end
         add_rest(message, view, message.rest)

@@ -189,8 +189,8 @@ def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> boo
     first, last = values.span(part, start, end)
     before, after = row.around(first)[0], row.around(last)[1]
     starts = [token.start for token in row.tokens[: 1 + row.is_offset]]
-    ends = (token.end for token in row.tokens if token.kind != "cut")
-    is_last = last.end == max(ends, default=last.end) and not after.strip(AROUND)
+    end = next((token.end for token in reversed(row.tokens) if token.kind != "cut"), last.end)
+    is_last = last.end == end and not after.strip(AROUND)
     is_first = first.start in starts and (first.start != starts[0] or not before.strip(AROUND + "x0b"))
     if first == last or (is_last and (is_first or before.rstrip().endswith(":"))):
         return True

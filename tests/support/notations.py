@@ -221,6 +221,9 @@ FORMS: dict[str, Callable[[bytes], str]] = {
     "jpnevulator": lambda data: (
         "2024-01-31 12:30:45.123456:\n" + _dump(data, 16, "", lambda row: f"{row.hex(' '):<47} {_text(row)}")
     ),
+    "PHP's var_dump": lambda data: (
+        f"array({len(data)}) {{\n" + "".join(f"  [{at}]=>\n  int({byte})\n" for at, byte in enumerate(data)) + "}"
+    ),
     "socat": lambda data: (
         "> 2024/01/31 12:00:00.123456  length=17 from=0 to=16\n"
         + _dump(data, 16, " ", lambda row: f"{row.hex(' '):<48} {_text(row)}")

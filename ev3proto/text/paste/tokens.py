@@ -121,6 +121,7 @@ FORMS = (
     Form("blank", "&nbsp;", r"&\#?\w{2,5};"),
     Form("blank", "Columns 1 through 13", r"Columns?\s\d+(?:\s(?:through|and)\s\d+)?\s*$"),
     Form("blank", "</byte>", rf"</?(?!{_H}{{2}}>)[A-Za-z_][\w:.-]{{1,30}}\s?/?>"),
+    Form("blank", "[0]=>", r"\[\d+\]\s?=>\s*$"),  # a key, whose value is in the next line
     # What looks like values, and are not
     Form("other", "00001101-0000-1000-8000-00805F9B34FB", rf"(?<!\w){_H}{{8}}(?:-{_H}{{4}}){{3}}-{_H}{{12}}(?!\w)"),
     Form(

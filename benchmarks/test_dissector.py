@@ -29,12 +29,12 @@ COMMANDS = 15_000
 ROUNDS = 5
 OUTPUTS: dict[str, list[str]] = {"one line": [], "-V": ["-V"]}
 MOST = {
-    ("usual", "one line"): 2.0,
-    ("usual", "-V"): 2.6,
-    ("random", "one line"): 3.3,
-    ("random", "-V"): 4.2,
-    ("unanswered", "one line"): 3.0,
-    ("unanswered", "-V"): 4.4,
+    ("usual", "one line"): 2.2,
+    ("usual", "-V"): 3.9,
+    ("random", "one line"): 4.2,
+    ("random", "-V"): 5.8,
+    ("unanswered", "one line"): 4.2,
+    ("unanswered", "-V"): 6.0,
 }
 """Limit of each kind of output, as a multiple of tshark's own time."""
 MOST_BYTES = 2400

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import count
+
 from ev3proto.bounded import Budget
 from ev3proto.capture.record import Outcome, Record, Route
 from ev3proto.dialogue import Transfers
@@ -42,9 +45,15 @@ def _is_failure(record: Record) -> bool:
 
 
 class Conversation:
-    """A conversation: pairs replies with commands by their headers, so that messages are parsed only on request."""
+    """A conversation: pairs replies with commands by their headers, so that messages are parsed only on request.
 
-    def __init__(self, schema: FrameReader, budget: Budget | None = None) -> None:
+    number  as `Record.connection`, 0 before the first record; it may be set to that of an earlier conversation
+    """
+
+    def __init__(self, schema: FrameReader, budget: Budget | None = None, numbers: Iterator[int] | None = None) -> None:
+        """Takes the numbers of conversations that are not given yet, which it shares with the others of its file."""
+        self.number = 0
+        self._numbers = count(1) if numbers is None else numbers
         self._schema = schema
         self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of)
         self._budget = budget
@@ -57,7 +66,7 @@ class Conversation:
 
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """Returns the record of a frame. Pass every frame of the conversation once, in order, in both directions."""
-        record = Record(frame, numbers, time_ns, route, self._schema)
+        record = self._new(frame, numbers, time_ns, route)
         if len(frame) < HEADER_SIZE:
             return record
         known = _TYPES.get(unpack_header(frame)[2])
@@ -74,8 +83,15 @@ class Conversation:
 
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """Returns the record of a reply whose first bytes, including the type, are overwritten by its command's."""
-        record = Record(frame, numbers, time_ns, route, self._schema)
+        record = self._new(frame, numbers, time_ns, route)
         self._pair(record)
+        return record
+
+    def _new(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
+        record = Record(frame, numbers, time_ns, route, self._schema)
+        if not self.number:
+            self.number = next(self._numbers)
+        record.connection = self.number
         return record
 
     def _pair(self, record: Record) -> None:

@@ -116,16 +116,22 @@ class Outcome(NamedTuple):
 class Record:
     """A frame in a capture. Its message and values are parsed on access.
 
-    frame     the bytes
-    numbers   the numbers of the packets that carried it (from 1), in the order of its bytes
-    time_ns   the time of its last packet, in nanoseconds since 1970-01-01 UTC
-    route     carrier, sender and receiver
-    request   for a reply: the record of the command that it answers; None if that was not captured
-    answered  for a command: the facts about its reply; None without one so far
-    transfer  the file transfer that a system message belongs to, if any; its counts increase while reading
-    note      a sentence about a peculiarity besides its contents, if any
-    written   what the text says in which it is; None in a capture
-    name      the name of the capture; empty if unknown
+    frame       the bytes
+    numbers     the numbers of the packets that carried it (from 1), in the order of its bytes
+    time_ns     the time of its last packet, in nanoseconds since 1970-01-01 UTC
+    route       carrier, sender and receiver
+    connection  the number of its conversation in its file, from 1
+    request     for a reply: the record of the command that it answers; None if that was not captured
+    answered    for a command: the facts about its reply; None without one so far
+    transfer    the file transfer that a system message belongs to, if any; its counts increase while reading
+    note        a sentence about a peculiarity besides its contents, if any
+    written     what the text says in which it is; None in a capture
+    name        the name of the capture; empty if unknown
+
+    A conversation is a TCP connection (a SYN with another sequence number begins a new one between the same ends), a
+    USB device (bus and number), or the RFCOMM channel between two addresses. It gets the next number with its first
+    message: when that is complete and recognised as one. A packet that proves earlier messages counts as theirs. So
+    one pass over the packets in their order gives the numbers, and the dissector's `ev3.connection` has the same.
     """
 
     # A long capture makes many of these: slots without a dataclass cost half as much.
@@ -134,6 +140,7 @@ class Record:
         "_reader",
         "_values",
         "answered",
+        "connection",
         "frame",
         "name",
         "note",
@@ -160,6 +167,7 @@ class Record:
         self.numbers = numbers
         self.time_ns = time_ns
         self.route = route
+        self.connection = 1
         self.request = request
         self.answered: Outcome | None = None
         self.transfer = transfer

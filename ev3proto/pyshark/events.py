@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator
 from contextlib import suppress
 from datetime import datetime
+from itertools import count
 
 from ev3proto.bounded import DEFAULT_MEMORY, Bounded, Budget
 from ev3proto.capture import Account, Announcement, Carrier, Direction, Event, Route, Skipped, TextKind
@@ -110,6 +111,7 @@ class Events:
         self._account = account
         self._schema = frame_reader(dialect)
         self._budget = Budget(memory)
+        self._numbers = count(1)
         self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
         self._routes: Bounded[Route, Route] = Bounded(MOST_CONNECTIONS)
 
@@ -166,7 +168,7 @@ class Events:
             return Skipped(data, 0, "the dissector finds no frame in these bytes", row.packet, row.time_ns, route)
         self._move("frames", len(data))
         ends = frozenset((route.source, route.target))
-        talk = self._conversations.use(ends, lambda: Conversation(self._schema, self._budget))[0]
+        talk = self._conversations.use(ends, lambda: Conversation(self._schema, self._budget, self._numbers))[0]
         if not row.all("ev3.expert.bootloader_fault"):
             return talk.record(data, *place)
         record = talk.overwritten(data, *place)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import count
 from typing import NamedTuple
 
 from ev3proto.bounded import Budget
@@ -32,7 +33,7 @@ class Piece(NamedTuple):
 class Context:
     """The shared state of the readers of one capture."""
 
-    __slots__ = ("account", "budget", "is_all", "late", "ports", "schema")
+    __slots__ = ("account", "budget", "is_all", "late", "numbers", "ports", "schema")
 
     def __init__(
         self, schema: FrameReader, account: Account, ports: frozenset[int], budget: Budget, *, is_all: bool = False
@@ -43,11 +44,12 @@ class Context:
         self.ports = ports
         self.is_all = is_all  # everything on a brick's port, channel and report size is a brick's
         self.budget = budget  # limits the memory of all pending bytes and commands
+        self.numbers = count(1)  # of the conversations
         self.late: list[Event] = []  # events of what was evicted at that limit; they follow those of the current packet
 
     def conversation(self) -> Conversation:
         """Returns a new conversation."""
-        return Conversation(self.schema, self.budget)
+        return Conversation(self.schema, self.budget, self.numbers)
 
 
 class Stream:

@@ -259,6 +259,12 @@ NAMES = {
         f"one of {', '.join(Direction)}, if known",
         "direction == received",
     ),
+    "connection": _known(
+        _NUMBER,
+        lambda record: (record.connection,),
+        "number of the conversation with a brick, in the order in which they began",
+        "connection == 2",
+    ),
     "interface": _known(
         _BARE_TEXT, lambda record: _text(record.interface), "interface on which it was captured", "interface"
     ),
@@ -268,6 +274,7 @@ NAMES = {
 _OF_WIRESHARK = {
     "op": "_ws.col.info ev3.answers ev3.cmd ev3.op ev3.opcode",
     "fault": "_ws.expert _ws.malformed ev3.expert.fault ev3.expert.unknown_opcode",
+    "connection": "ev3.connection tcp.stream",
     "peer": "btatt.handle bluetooth.addr ip.addr ipv6.addr tcp.port usb.addr usb.bus_id usb.device_address",
     "target": "bluetooth.dst ip.dst ipv6.dst",
     "source": "bluetooth.src ip.src ipv6.src",

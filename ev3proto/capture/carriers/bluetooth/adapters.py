@@ -101,7 +101,8 @@ class Ports(NamedTuple):
 class Closed(NamedTuple):
     """A closed connection."""
 
-    key: tuple[object, int, int]  # as in `Carried`
+    ends: Ports  # as in `Carried`
+    key: tuple[object, int, int]
 
 
 class Carried(NamedTuple):
@@ -179,7 +180,10 @@ class Bluetooth:
         connection = self._connections.pop((adapter, handle), None)
         if connection is not None:
             yield sum(part.weight for part in connection.parts.values())
-            yield Closed((adapter, handle, connection.generation))
+            yield Closed(self._ends(adapter, handle, connection), (adapter, handle, connection.generation))
+
+    def _ends(self, adapter: object, handle: int, connection: _Connection) -> Ports:
+        return Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")
 
     def _data(
         self, adapter: object, is_from_host: bool | None, body: bytes, weight: int
@@ -214,7 +218,7 @@ class Bluetooth:
             connection.parts[side] = part
             return
         serial = _serial(connection, is_from_host, part)
-        ends = Ports(self._own.get(adapter, HOST), connection.address or f"handle 0x{handle:04x}")
+        ends = self._ends(adapter, handle, connection)
         yield Carried(ends, (adapter, handle, connection.generation), serial, part.weight)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ev3proto.bounded import Bounded
 from ev3proto.capture.byte_account import ACCESSORY
-from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed
+from ev3proto.capture.carriers.bluetooth.adapters import Bluetooth, Carried, Closed, Ports
 from ev3proto.capture.carriers.claims import StreamClaim
 from ev3proto.capture.carriers.streams import Context, Piece, Stream
 from ev3proto.capture.conversation import Conversation
@@ -18,6 +19,9 @@ from ev3proto.tables.frame import MessageType
 _ACCESSORY = (b"\xff\x55", b"\xff\x5a")
 """The first bytes of packets of Apple's accessory protocol, in both versions. As a length they are impossible."""
 
+MOST_NUMBERS = 1024
+"""Maximum number of closed connections whose numbers are remembered."""
+
 
 class SerialPorts:
     """A reader of the serial ports of all connections, on the channel that bricks use."""
@@ -29,6 +33,7 @@ class SerialPorts:
         self._streams: dict[tuple[object, bool], Stream] = {}
         self._conversations: dict[object, Conversation] = {}
         self._claims: dict[object, StreamClaim] = {}
+        self._numbers: Bounded[Ports, int] = Bounded(MOST_NUMBERS)  # of the conversations of closed connections
 
     def feed(self, packet: Packet) -> Iterable[Event]:
         """Returns the events that a packet completes."""
@@ -36,7 +41,9 @@ class SerialPorts:
             if isinstance(found, int):
                 self._account.other += found
             elif isinstance(found, Closed):
-                self._conversations.pop(found.key, None)
+                closed = self._conversations.pop(found.key, None)
+                if closed is not None and closed.number:
+                    self._numbers.add(found.ends, closed.number)
                 yield from self._end(found.key)
                 self._claims.pop(found.key, None)
             elif found.serial is not None and found.serial.data.startswith(_ACCESSORY):
@@ -88,7 +95,10 @@ class SerialPorts:
         key = found.key, serial.is_from_host
         stream = self._streams.get(key)
         if stream is None:
-            conversation = self._conversations.setdefault(found.key, self._context.conversation())
+            conversation = self._conversations.get(found.key)
+            if conversation is None:
+                conversation = self._conversations[found.key] = self._context.conversation()
+                conversation.number = self._numbers.get(found.ends, 0)
             cutter = Cutter(self._context.schema, in_step=False, may_gap=True)
             route = _route(packet, found)
             stream = self._streams[key] = Stream(self._context, conversation, cutter, route, packet)

@@ -9,8 +9,10 @@ from ev3proto.errors import counted
 from ev3proto.messages import (
     Argument,
     DaisyCommand,
+    DaisyReply,
     DirectCommand,
     DirectReply,
+    FieldValue,
     Message,
     Operation,
     SystemCommand,
@@ -27,7 +29,15 @@ from ev3proto.tables.encoding import (
     VARIABLE_BIT,
 )
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD, TYPE_MEANINGS
-from ev3proto.text.phrases import argument_value, command_name, plain, short_text, status_name
+from ev3proto.text.phrases import (
+    argument_value,
+    command_name,
+    field_places,
+    field_texts,
+    plain,
+    short_text,
+    status_name,
+)
 
 _TYPE = LENGTH_FIELD + COUNTER_SIZE
 _SIZE_BITS = 3
@@ -36,7 +46,7 @@ _SIZE_BITS = 3
 class HeaderField(NamedTuple):
     """A field of a header.
 
-    name    `length`, `counter`, `type`, `memory`; of system commands also `command` and `status`
+    name    `length`, `counter`, `type`, `memory`; of others also `command`, `status`, `from layer` and `to layer`
     offset  of its first byte in the frame
     length  the number of its bytes
     text    its value, and what that means
@@ -63,17 +73,23 @@ def _parts(message: Message, frame: bytes) -> Iterator[HeaderField]:
     yield HeaderField(
         "counter", LENGTH_FIELD, COUNTER_SIZE, f"{message.counter}; a reply has the counter of its command"
     )
-    if message.type is None:
+    if message.type is None or len(frame) < HEADER_SIZE:
         return
     meaning = TYPE_MEANINGS[message.type]
     yield HeaderField("type", _TYPE, 1, f"0x{message.type:02X} {message.type.name}: {meaning}")
+    if message.flaw.headless:
+        return
     if isinstance(message, DirectCommand):
         memory = f"{message.global_size} bytes global, for the reply; {message.local_size} bytes local, for its own use"
         yield HeaderField("memory", HEADER_SIZE, COMMAND_HEADER_SIZE - HEADER_SIZE, memory)
-    elif isinstance(message, SystemCommand | SystemReply):
+    elif isinstance(message, SystemCommand | SystemReply | DaisyCommand):
         yield HeaderField("command", HEADER_SIZE, 1, f"0x{message.number:02X} {command_name(message)}")
         if isinstance(message, SystemReply):
             yield HeaderField("status", HEADER_SIZE + 1, 1, f"{message.status_code} {status_name(message)}")
+    if isinstance(message, DaisyCommand | DaisyReply):
+        at = HEADER_SIZE + isinstance(message, DaisyCommand)
+        yield HeaderField("from layer", at, 1, str(message.layer_from))
+        yield HeaderField("to layer", at + 1, 1, str(message.layer_to))
 
 
 def byte_lines(message: Message) -> list[str]:
@@ -89,13 +105,27 @@ def byte_lines(message: Message) -> list[str]:
 
 def _lines(message: Message, frame: bytes) -> Iterator[tuple[int, list[str]]]:
     """Yields offsets, and what the bytes from there say."""
-    if isinstance(message, DirectReply):
-        count = len(message.memory)
-        yield HEADER_SIZE, [f", byte {at} of global memory, which the command asked for" for at in range(count)]
+    end = 0
     for part in header_parts(message):
         yield part.offset, [f", {_place(at, part.length)}{part.name}: {part.text}" for at in range(part.length)]
+        end = part.offset + part.length
+    match message:
+        case DirectReply():
+            yield end, _counted(len(message.memory), "global memory, which the command asked for")
+        case DaisyCommand() | DaisyReply():
+            yield end, _counted(len(message.payload), "the payload")
+        case SystemCommand() | SystemReply():
+            for (name, text, _), (_, offset, size) in zip(field_texts(message), field_places(message), strict=True):
+                yield offset, _field(message.fields[name], frame[offset : offset + size], name, text)
     for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
         yield from _operation(operation, frame)
+
+
+def _field(value: FieldValue, data: bytes, name: str, text: str) -> list[str]:
+    if isinstance(value, bytes):
+        return _counted(len(data), name)
+    told = _letters if isinstance(value, str) else _numbered
+    return told(data, f"{name} = {short_text(text)}")
 
 
 def _operation(operation: Operation, frame: bytes) -> Iterator[tuple[int, list[str]]]:
@@ -109,12 +139,24 @@ def _operation(operation: Operation, frame: bytes) -> Iterator[tuple[int, list[s
 
 def _argument(argument: Argument, shown: str, frame: bytes) -> list[str]:
     """Returns a line for each byte of an argument."""
-    rest = argument.length - 1
-    lines = [f" = {identification(frame[argument.offset])}: {shown}"]
-    if argument.form.kind != TEXT:
-        return [*lines, *(f", {_place(at, rest)}{shown}" for at in range(rest))]
     data = frame[argument.offset + 1 : argument.offset + argument.length]
-    return [*lines, *(f", {plain(chr(byte))} of {shown}" if byte else f", the end of {shown}" for byte in data)]
+    told = _letters if argument.form.kind == TEXT else _numbered
+    return [f" = {identification(frame[argument.offset])}: {shown}", *told(data, shown)]
+
+
+def _counted(size: int, of: str) -> list[str]:
+    """Returns a line for each byte of bytes without a form."""
+    return [f", byte {at} of {of}" for at in range(size)]
+
+
+def _letters(data: bytes, shown: str) -> list[str]:
+    """Returns a line for each byte of a text."""
+    return [f", {plain(chr(byte))} of {shown}" if byte else f", the end of {shown}" for byte in data]
+
+
+def _numbered(data: bytes, shown: str) -> list[str]:
+    """Returns a line for each byte of a number."""
+    return [f", {_place(at, len(data))}{shown}" for at in range(len(data))]
 
 
 def _place(at: int, count: int) -> str:

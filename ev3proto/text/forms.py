@@ -13,16 +13,14 @@ from ev3proto.messages import (
     DaisyCommand,
     DaisyReply,
     DirectCommand,
-    FieldValue,
     Message,
     Operation,
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.phrases import Seen, argument_value, field_texts, heading
+from ev3proto.text.phrases import Seen, argument_value, field_places, field_texts, heading
 from ev3proto.text.spans import plain_text
 
 _BYTES_A_LINE = 12
@@ -86,8 +84,9 @@ def _parts(message: Message) -> Iterator[tuple[bytes, str]]:
     for size, text in () if message.flaw.headless else _body(message):
         yield frame[at : at + size], text
         at += size
-    if at < len(frame):
-        yield frame[at:], _TAILS.get(message.kind, "") if message.fault is None else "not read"
+    end = len(frame) - len(message.rest)
+    yield frame[at:end], _TAILS.get(message.kind, "")
+    yield frame[end:], "not read"
 
 
 def _body(message: Message) -> Iterator[tuple[int, str]]:
@@ -111,15 +110,8 @@ def _body(message: Message) -> Iterator[tuple[int, str]]:
 
 
 def _fields(message: SystemCommand | SystemReply) -> Iterator[tuple[int, str]]:
-    schema = (REPLIES if isinstance(message, SystemReply) else REQUESTS).get(message.number)
-    given: dict[str, FieldValue] = {}
-    before = 0
-    for name, text, meaning in field_texts(message):
-        assert schema is not None, "only the fields of a known command have names"
-        given[name] = message.fields[name]
-        size = len(schema.write_present(given))
-        yield size - before, f"{name} {text} ({meaning})" if meaning else f"{name} {text}"
-        before = size
+    for (name, text, meaning), (_, _, size) in zip(field_texts(message), field_places(message), strict=True):
+        yield size, f"{name} {text} ({meaning})" if meaning else f"{name} {text}"
 
 
 def _told(operation: Operation) -> str:

@@ -21,6 +21,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
@@ -92,16 +93,23 @@ def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str
         yield name, plain(value), meaning if isinstance(value, bytes) else ""
 
 
+def field_places(message: SystemCommand | SystemReply) -> Iterator[tuple[str, int, int]]:
+    """Yields the name of each field of a system message, its offset in the frame and its number of bytes."""
+    is_reply = isinstance(message, SystemReply)
+    schema, at = (REPLIES if is_reply else REQUESTS).get(message.number), HEADER_SIZE + 1 + is_reply
+    for name, size in schema.sizes(message.fields).items() if schema is not None else ():
+        yield name, at, size
+        at += size
+
+
 def command_name(message: SystemCommand | SystemReply | DaisyCommand) -> str:
-    """Returns the name of the command, or its number in hex."""
-    return message.command or f"0x{message.number:02X}"
+    """Returns the name of the command, its number in hex, or `no command` for a frame that ends before it."""
+    return "no command" if message.flaw.headless else message.command or f"0x{message.number:02X}"
 
 
 def lacks_status(message: Message) -> bool:
     """Returns whether a frame is a system reply that ends before the status."""
-    fault = message.fault
-    is_short = fault is not None and fault.truncated and fault.offset <= HEADER_SIZE + 1
-    return is_short and isinstance(message, SystemReply)
+    return message.flaw.headless and isinstance(message, SystemReply)
 
 
 def status_name(message: SystemReply) -> str:

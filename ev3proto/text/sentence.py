@@ -61,6 +61,8 @@ def sentence(exchange: Exchange) -> str:
 
 def _said(exchange: Exchange) -> Iterator[str]:
     message = exchange.message
+    if message.flaw.headless:
+        return
     if isinstance(message, DirectCommand):
         yield _operations(message.operations) or ("" if message.fault is not None else "does nothing")
     elif isinstance(message, SystemCommand):

@@ -11,7 +11,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.dialogue import Exchange
-from ev3proto.messages import DaisyCommand, DirectCommand, DirectReply, Message, Operation, SystemCommand, SystemReply
+from ev3proto.messages import (
+    DaisyCommand,
+    DaisyReply,
+    DirectCommand,
+    DirectReply,
+    Message,
+    Operation,
+    SystemCommand,
+    SystemReply,
+)
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.text.phrases import Seen, argument_value, field_texts, heading, plain, value_text
 from ev3proto.text.spans import Line, Role
 
@@ -113,34 +123,42 @@ def _cells(message: Message) -> Iterator[Cell]:
     yield Cell("len", frame[:2], str(message.length))
     yield Cell("cnt", frame[2:4], str(message.counter))
     yield Cell("ty" if message.type.is_command else "rs", frame[4:5], _SHORT_TYPES[message.type.name])
-    at = 5
+    end = len(frame) - len(message.rest)
+    if end > HEADER_SIZE:
+        yield from _body(message, frame[:end])
+    if message.rest:
+        yield Cell("rest", message.rest)
+
+
+def _body(message: Message, frame: bytes) -> Iterator[Cell]:
+    """Yields the cells after the message type, as far as the frame could be read."""
     match message:
-        case DirectCommand() if len(frame) >= 7:
+        case DirectCommand():
             yield Cell("hd", frame[5:7], f"{message.global_size},{message.local_size}")
-            at = 7
             for operation in message.operations:
                 yield from _operation(operation)
-                at = operation.offset + operation.length
         case SystemCommand() | SystemReply():
             yield Cell("cd", frame[5:6], message.command or "?", upright=True)
-            at = 6
             if isinstance(message, SystemReply):
                 yield Cell("st", frame[6:7], message.status.name if message.status is not None else "?", upright=True)
-                at = 7
-            at += len(frame) - at - len(message.rest)
-            yield from _fields(message, frame[: len(frame) - len(message.rest)])
-        case DirectReply() if message.memory:
+            yield from _fields(message, frame)
+        case DirectReply():
             yield Cell("global memory", message.memory)
-            at = 5 + len(message.memory)
         case DaisyCommand():
             yield Cell("cd", frame[5:6], message.command or "?", upright=True)
-            yield Cell("layers", frame[6:8], f"{message.layer_from} -> {message.layer_to}")
-            at = 8
-            for operation in message.operations:
-                yield from _operation(operation)
-                at = operation.offset + operation.length
-    if at < len(frame):
-        yield Cell("rest", frame[at:])
+            yield from _sent_on(message, frame[6:8])
+        case DaisyReply():
+            yield from _sent_on(message, frame[5:7])
+
+
+def _sent_on(message: DaisyCommand | DaisyReply, layers: bytes) -> Iterator[Cell]:
+    """Yields the layers of a daisy message, and its operations or other contents."""
+    yield Cell("layers", layers, f"{message.layer_from} -> {message.layer_to}")
+    if isinstance(message, DaisyCommand) and message.operations:
+        for operation in message.operations:
+            yield from _operation(operation)
+    elif message.payload:
+        yield Cell("payload", message.payload)
 
 
 def _fields(message: SystemCommand | SystemReply, frame: bytes) -> Iterator[Cell]:

@@ -16,7 +16,6 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.replies import guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
@@ -27,6 +26,7 @@ from ev3proto.text.phrases import (
     Seen,
     argument_meaning,
     argument_value,
+    field_places,
     field_texts,
     heading,
     plain,
@@ -54,7 +54,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
             yield from _values(exchange)
         case SystemCommand() | SystemReply():
             yield from _system(message, exchange.transfer, seen.unknown)
-        case DaisyCommand() | DaisyReply():
+        case DaisyCommand() | DaisyReply() if not message.flaw.headless:
             yield from _daisy(message)
     yield from _fault(message, size, seen.cut)
 
@@ -127,32 +127,19 @@ def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unk
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
         yield Line([(f"        {meaning}", Role.MEANING)])
     width = max((len(name) for name in message.fields), default=0)
-    hidden = _unknown_fields(message, unknown) if unknown else frozenset()
-    for name, value, meaning in field_texts(message):
-        yield Line(
-            [
-                ("        ", Role.PLAIN),
-                (name.ljust(width), Role.NAME),
-                (" = ", Role.PLAIN),
-                ("?" if name in hidden else value, Role.VALUE),
-                (f"  {meaning}" if meaning else "", Role.MEANING),
-            ]
-        )
+    for (name, value, meaning), (_, offset, size) in zip(field_texts(message), field_places(message), strict=True):
+        spans = [
+            ("        ", Role.PLAIN),
+            (name.ljust(width), Role.NAME),
+            (" = ", Role.PLAIN),
+            (value if unknown.isdisjoint(range(offset, offset + size)) else "?", Role.VALUE),
+            (f"  {meaning}" if meaning else "", Role.MEANING),
+        ]
+        yield Line(spans, offset, size)
     if transfer is not None and transfer.path:
         of = "an unknown number of" if transfer.size is None else str(transfer.size)
         progress = f"{transfer.transferred} of {of} bytes"
         yield Line([("        ", Role.PLAIN), (f"{plain(transfer.path)}: {progress}", Role.MEANING)])
-
-
-def _unknown_fields(message: SystemCommand | SystemReply, unknown: frozenset[int]) -> frozenset[str]:
-    """Returns the names of the fields with a byte that is not known: those that change with one of them."""
-    frame = bytearray(message.build())
-    found = set[str]()
-    for offset in unknown & {*range(len(frame))}:
-        changed = parse(bytes(frame[:offset] + bytes((frame[offset] ^ 1,)) + frame[offset + 1 :]), strict=False)
-        if isinstance(changed, SystemCommand | SystemReply):
-            found |= {name for name, value in message.fields.items() if changed.fields.get(name) != value}
-    return frozenset(found)
 
 
 def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:

@@ -32,7 +32,7 @@ from ev3proto.brick.dispatch import dispatch_table
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.images import Image
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.plugs import CORE_SET
+from ev3proto.brick.plugs import CORE_SET, port_name
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
     FAIL,
@@ -157,7 +157,7 @@ class Brick:
         """Plugs in a sensor or motor, or changes the readings of the one on the port.
 
         Args:
-            port: 1 to 4 for sensors, "A" to "D" for motors.
+            port: 1 to 4 or a SensorPort for sensors, "A" to "D" or a MotorPort for motors.
             type: Type of the device; TYPE_NONE unplugs it.
             readings: Raw readings of a sensor by mode, one for each dataset.
             tacho: Degrees that OUTPUT_READ returns. `tacho`, `count` and `speed` are shown until a command moves the
@@ -168,6 +168,7 @@ class Brick:
         Raises:
             ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
         """
+        port = port_name(port)
         if self._has_core_set and self.equipment.inputs.has_new(port, type):
             self._unplug_all()
         self.equipment.inputs.plug(port, type, readings)

@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from ev3proto.tables.enumerations import TYPE
+from ev3proto.tables.ports import MotorPort, MotorPorts, SensorPort
+
+PORT_NAMES: tuple[int | str, ...] = (*range(1, len(SensorPort) + 1), *(port.name for port in MotorPort))
+"""The sensor ports, then the motor ports."""
 
 Readings = dict[int, tuple[float, ...]]
 """Raw readings by mode."""
@@ -17,6 +21,28 @@ class Plug:
     port: int | str
     type: int
     readings: Readings = field(default_factory=dict)
+
+
+def port_name(port: int | str) -> int | str:
+    """Returns a port as 1 to 4 or "A" to "D".
+
+    Args:
+        port: 1 to 4, "A" to "D" in either case, or a member of SensorPort or MotorPort.
+
+    Raises:
+        ValueError: Anything else, also MotorPorts, which is a set.
+    """
+    if isinstance(port, SensorPort):
+        return port + 1
+    if isinstance(port, MotorPort):
+        return port.name
+    if isinstance(port, MotorPorts):
+        meant = "" if port.name not in MotorPort.__members__ else f": MotorPort.{port.name}"
+        raise ValueError(f"{port!r} is a set of ports; expected one port{meant}")
+    name = port.upper() if isinstance(port, str) else port
+    if isinstance(port, bool) or name not in PORT_NAMES:
+        raise ValueError(f"unknown port {port!r}; expected one of {', '.join(map(str, PORT_NAMES))}")
+    return name
 
 
 _CENTIMETRES, _INCHES = (2550.0,), (1000.0,)

@@ -4,6 +4,7 @@ import pytest
 from support.brick import RefusedError, answer, ask
 from support.bricks import OK, op, run
 
+from ev3proto import MotorPort, MotorPorts, SensorPort
 from ev3proto.brick import Brick
 from ev3proto.messages import GV
 from ev3proto.tables.devices import DEVICE_TYPES
@@ -290,7 +291,10 @@ class TestPlugging:
         ("port", "type", "readings", "message"),
         [
             (5, 16, None, "unknown port 5; expected one of 1, 2, 3, 4, A, B, C, D"),
+            (True, 16, None, "unknown port True; expected one of 1, 2, 3, 4, A, B, C, D"),
             ("E", 7, None, "unknown port 'E'"),
+            (MotorPorts.B, 7, None, "MotorPorts.B: 2> is a set of ports; expected one port: MotorPort.B"),
+            (MotorPorts.A | MotorPorts.B, 7, None, "MotorPorts.A|B: 3> is a set of ports; expected one port$"),
             (1, 16, {2: (1,)}, "type 16 has no mode 2; it must be 0 to 1"),
         ],
     )
@@ -303,6 +307,14 @@ class TestPlugging:
     def test_what_is_plugged_in(self, brick: Brick) -> None:
         found = {port: device.type.number for port, device in brick.equipment.inputs.plugged().items()}
         assert found == {1: 16, 2: 29, 3: 33, 4: 30, "A": 8}
+
+    def test_names_of_ports(self) -> None:
+        brick = Brick()
+        for port, kind in ((SensorPort.S1, 16), (SensorPort.S4, 30), (MotorPort.A, 8), (MotorPort.D, 7), ("b", 7)):
+            brick.plug(port, kind)
+        found = {port: device.type.number for port, device in brick.equipment.inputs.plugged().items()}
+        assert found == {1: 16, 4: 30, "A": 8, "B": 7, "D": 7}
+        assert [motor.type for motor in brick.equipment.outputs.motors] == [8, 7, 126, 7]
 
     def test_unplugging(self, brick: Brick) -> None:
         brick.plug(1, 126)

@@ -20,7 +20,7 @@ OF_THE_CALL = {
     "help dcode": "No such command 'dcode'. Did you mean 'decode'?",
     "help export pcap": "No such command 'pcap'. Did you mean 'pcapng'?",
     "help decode foo": "ev3proto decode has no subcommands",
-    "check --explain E999": "Invalid value for '--explain': unknown code E999; --explain all lists the codes",
+    "check --explain E999": "Invalid value for '--explain': unknown code E999: did you mean E806?",
     "check --explain E10100": "Invalid value for '--explain': unknown code E10100: did you mean E101?",
     "send nowhere 01": "Invalid value for 'TARGET': unknown target 'nowhere'; expected wifi, wifi:ADDRESS,"
     " wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT or virtual",
@@ -127,13 +127,14 @@ OF_THE_INPUT = {
     "ops 999": "no operation matches '999'; `ev3proto ops` lists all operations",
     "ops SOUND.TON": "no operation matches 'SOUND.TON': did you mean SOUND.TONE or SOUND?",
     "ops batery": "no operation matches 'batery': did you mean battery?",
+    "help E999": "unknown code E999: did you mean E806?",
     "help FOO": "no operation matches 'FOO'; `ev3proto ops` lists all operations",
     "send wifi:127.0.0.1:1 NOP()": "nothing is listening on 127.0.0.1:1; is the brick's WiFi on? `ev3proto brick`"
     " starts a virtual brick",
     "send wifi:no.such.host.invalid NOP()": "cannot find no.such.host.invalid: no computer or brick has this name",
     "send serial:/dev/none NOP()": "no such serial port: /dev/none; pair the brick with this computer first (on Linux,"
     " `rfcomm bind 0 MAC` then creates /dev/rfcomm0)",
-    "brick --script port.toml --quiet": "port.toml: ports.9: unknown port; expected one of 1, 2, 3, 4, A, B, C, D",
+    "brick --script port.toml --quiet": "port.toml: ports.9: unknown port 9; expected one of 1, 2, 3, 4, A, B, C, D",
     "brick --script broken.toml --quiet": "broken.toml: invalid TOML: Invalid value (at line 1, column 5)",
     "brick --no-wifi --serial none/ev3 --quiet": "none/ev3: cannot be created: No such file or directory",
     "export c-header -o empty.txt --check": "empty.txt is out of date; run this without --check to write it again",

@@ -12,9 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ev3proto.brick.conversions import single
-from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.motors import Motor, Outputs
 from ev3proto.brick.parts import Part
+from ev3proto.brick.plugs import PORT_NAMES, port_name
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, Range
 from ev3proto.tables.encoding import RANGES
@@ -210,16 +210,12 @@ class Inputs(Part):
 
     @staticmethod
     def _port(port: int | str) -> int:
-        if isinstance(port, int) and 1 <= port <= PORTS:
-            return port - 1
-        if isinstance(port, str) and port.upper() in MOTOR_PORTS:
-            return FIRST_MOTOR + MOTOR_PORTS.index(port.upper())
-        raise ValueError(f"unknown port {port!r}; expected one of 1, 2, 3, 4, {', '.join(MOTOR_PORTS)}")
+        index = PORT_NAMES.index(port_name(port))
+        return index if index < PORTS else FIRST_MOTOR + index - PORTS
 
     def plugged(self) -> dict[int | str, Device]:
         """Returns the devices that are plugged in, by port: 1 to 4, "A" to "D"."""
-        names: list[int | str] = [*range(1, PORTS + 1), *MOTOR_PORTS]
-        found = zip(names, self._devices.values(), strict=True)
+        found = zip(PORT_NAMES, self._devices.values(), strict=True)
         return {name: device for name, device in found if not device.is_empty}
 
     def advance(self, microseconds: int) -> None:

@@ -32,9 +32,7 @@ from typing import Any
 
 from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.buttons import BUTTONS
-from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
-from ev3proto.brick.devices.sensors import PORTS
-from ev3proto.brick.plugs import Plug, Readings
+from ev3proto.brick.plugs import Plug, Readings, port_name
 from ev3proto.errors import near_misses
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import TYPE
@@ -45,7 +43,6 @@ MOST_SCRIPT = 1 << 20
 LEAST_PERIOD = 0.01
 """Seconds."""
 
-_PORT_NAMES = (*(str(number) for number in range(1, PORTS + 1)), *MOTOR_PORTS)
 _MOST_NAME = 12
 
 
@@ -205,9 +202,10 @@ def _seconds(where: str, value: Any) -> float:
 
 
 def _port(where: str, name: str) -> int | str:
-    if name.upper() not in _PORT_NAMES:
-        raise ScriptError(f"{where}: unknown port; expected one of {', '.join(_PORT_NAMES)}")
-    return int(name) if name.isdigit() else name.upper()
+    try:
+        return port_name(int(name) if name.isdecimal() else name)
+    except ValueError as error:
+        raise ScriptError(f"{where}: {error}") from None
 
 
 def _type(where: str, value: Any) -> int:

@@ -170,6 +170,9 @@ _NAMES = {
 }
 """All other names, by module."""
 
+_SAID = {"decode": "parse", "encode": "command", "build": "command", "loads": "parse", "Brick": "ev3proto.brick.Brick"}
+"""What people look for, and where it is."""
+
 _HOMES = {name: module for module, names in _NAMES.items() for name in names}
 
 __all__ = sorted({*_HOMES, *(each for each in _MODULES if each not in ("errors", "messages", "schema", "tables"))})
@@ -187,8 +190,10 @@ def __getattr__(name: str) -> Any:
     names = import_module("ev3proto.schema.names")
     try:
         return names.constant(name)
-    except KeyError as error:
-        raise AttributeError(error.args[0]) from None
+    except KeyError:
+        near = import_module("ev3proto.errors").near_misses(name, [*__all__, *names.constant_names()])
+        hint = f": did you mean {_SAID[name]}?" if name in _SAID else near
+        raise AttributeError(f"module 'ev3proto' has no attribute {name!r}{hint}") from None
 
 
 def __dir__() -> list[str]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from enum import EnumType
 from itertools import islice
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from construct.core import ConstructError
 
@@ -125,3 +126,19 @@ def near_names(name: str, known: Iterable[str]) -> list[str]:
     least = _LIKENESS if len(name) > _SHORT else _LIKENESS_OF_SHORT
     close = [upper] if upper in targets else difflib.get_close_matches(upper, targets, 3, least)
     return [full for full in dict.fromkeys(targets[found] for found in close) if full != name]
+
+
+class MemberNames(EnumType):
+    """The class of an enumeration: an unknown member is reported with the nearest one."""
+
+    if not TYPE_CHECKING:  # where an unknown member is an error
+
+        def __getattr__(cls, name: str) -> Any:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            members = list(cls.__members__)
+            if name in members:
+                return cls.__members__[name]
+            # The first word is often left out; a dot makes the rest a name of its own.
+            near = near_misses(name, [member.replace("_", ".", 1) for member in members]).replace(".", "_")
+            raise AttributeError(f"{cls.__name__} has no member {name}{near}")

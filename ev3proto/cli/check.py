@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -367,7 +367,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
     known = PROGRAM_CODES | CODES
     found = list(known.values()) if name == ALL_CODES else [known[name.upper()]] if name.upper() in known else []
     if not found:
-        hint = near_misses(name, known) or f"; --explain {ALL_CODES} lists the codes"
+        hint = _near_code(name, known) or f"; --explain {ALL_CODES} lists the codes"
         raise click.BadParameter(f"unknown code {name}{hint}", param_hint="'--explain'")
     printer = Printer()
     for code in found:
@@ -381,6 +381,15 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
             from ev3proto.program.explaining import explained  # takes 9 ms, which frames do not need
 
             printer.lines(explained(code, dialect=dialect))
+
+
+def _near_code(name: str, known: Iterable[str]) -> str:
+    """Returns a hint at the code that is nearest to an unknown one, by letter and number."""
+    near = near_misses(name, known)
+    same = [code for code in known if code[:1] == name[:1].upper()]
+    if near or not same or not name[1:].isdecimal():
+        return near
+    return f": did you mean {min(same, key=lambda code: abs(int(code[1:]) - int(name[1:])))}?"
 
 
 def _code_entry(code: FindingCode) -> dict[str, Any]:

@@ -26,6 +26,7 @@ class Entry:
     searched  further words that find it
     about     yields the lines under its name and text
     record    returns all of it for other tools
+    words     what else people call it
     """
 
     name: str
@@ -36,11 +37,12 @@ class Entry:
     searched: str
     about: Callable[[], Iterator[Spans]]
     record: Callable[[], dict[str, Any]]
+    words: str = ""
 
     @property
     def texts(self) -> tuple[str, str, str]:
-        """The texts that are searched: the name, the meaning, all else."""
-        return self.name, f"{self.text} {self.kind}", self.searched
+        """The texts that are searched: the names, the meaning, all else."""
+        return f"{self.name} {self.words}", f"{self.text} {self.kind}", self.searched
 
     def line(self) -> Spans:
         """Returns its line in a list."""

@@ -52,8 +52,10 @@ def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 
 
 def _look_up(words: tuple[str, ...]) -> None:
     """Shows an operation, or explains a code of the checker."""
-    if re.fullmatch(r"[EWHewh]\d{3}", words[0]):
-        command, arguments = check, ["--explain", words[0].upper()]
-    else:
-        command, arguments = ops, list(words)
-    command.main(args=arguments, prog_name=f"ev3proto {command.name}", standalone_mode=False)
+    if not re.fullmatch(r"[EWHewh]\d{3}", words[0]):
+        ops.main(args=list(words), prog_name="ev3proto ops", standalone_mode=False)
+        return
+    try:
+        check.main(args=["--explain", words[0].upper()], prog_name="ev3proto check", standalone_mode=False)
+    except click.BadParameter as error:
+        raise Failure(error.message) from None

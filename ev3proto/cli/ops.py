@@ -117,7 +117,7 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
         }
 
     about = partial(_about, entry, area, dialect)
-    return Entry(entry.name, entry.opcode.number, area, "", entry.text, " ".join(said), about, record)
+    return Entry(entry.name, entry.opcode.number, area, "", entry.text, " ".join(said), about, record, entry.words)
 
 
 def _about(entry: Declaration, area: str, dialect: str) -> Iterator[Spans]:

@@ -11,6 +11,8 @@ Generated from ev3proto/tables: edit those, then run python -m ev3proto.generate
 
 from enum import IntEnum, IntFlag
 
+from ev3proto.errors import MemberNames
+
 __all__ = [
     "A_ICON_NO",
     "BROWSE",
@@ -49,7 +51,7 @@ __all__ = [
 ]
 
 
-class TYPE(IntEnum):
+class TYPE(IntEnum, metaclass=MemberNames):
     """Types of devices on the ports; MODE_KEEP and TYPE_KEEP ask to leave mode or type as it is."""
 
     MODE_KEEP = -1
@@ -80,7 +82,7 @@ class TYPE(IntEnum):
     TYPE_ERROR = 127
 
 
-class SLOT(IntEnum):
+class SLOT(IntEnum, metaclass=MemberNames):
     """Program slots of the virtual machine; direct commands run in CMD_SLOT."""
 
     GUI_SLOT = 0
@@ -98,7 +100,7 @@ class SLOT(IntEnum):
     CURRENT = CURRENT_SLOT
 
 
-class BUTTONTYPE(IntEnum):
+class BUTTONTYPE(IntEnum, metaclass=MemberNames):
     """Buttons of the brick."""
 
     NO_BUTTON = 0
@@ -120,7 +122,7 @@ class BUTTONTYPE(IntEnum):
     ANY = ANY_BUTTON
 
 
-class BROWSERTYPE(IntEnum):
+class BROWSERTYPE(IntEnum, metaclass=MemberNames):
     """What the file browser on the display lists."""
 
     BROWSE_FOLDERS = 0
@@ -134,7 +136,7 @@ class BROWSERTYPE(IntEnum):
     FILES = BROWSE_FILES
 
 
-class FONTTYPE(IntEnum):
+class FONTTYPE(IntEnum, metaclass=MemberNames):
     """Fonts of the display."""
 
     NORMAL_FONT = 0
@@ -148,7 +150,7 @@ class FONTTYPE(IntEnum):
     TINY = TINY_FONT
 
 
-class ICONTYPE(IntEnum):
+class ICONTYPE(IntEnum, metaclass=MemberNames):
     """Sets of icons; the set decides what an icon's number means."""
 
     NORMAL_ICON = 0
@@ -164,7 +166,7 @@ class ICONTYPE(IntEnum):
     ARROW = ARROW_ICON
 
 
-class S_ICON_NO(IntEnum):
+class S_ICON_NO(IntEnum, metaclass=MemberNames):
     """Icons of the set SMALL_ICON: battery, Bluetooth, WiFi and USB in the top line."""
 
     SICON_CHARGING = 0
@@ -204,7 +206,7 @@ class S_ICON_NO(IntEnum):
     USB = SICON_USB
 
 
-class N_ICON_NO(IntEnum):
+class N_ICON_NO(IntEnum, metaclass=MemberNames):
     """Icons of the set NORMAL_ICON: files, folders and settings."""
 
     ICON_NONE = -1
@@ -278,7 +280,7 @@ class N_ICON_NO(IntEnum):
     BRICK1 = ICON_BRICK1
 
 
-class L_ICON_NO(IntEnum):
+class L_ICON_NO(IntEnum, metaclass=MemberNames):
     """Icons of the set LARGE_ICON: answers, warnings and file operations."""
 
     YES_NOTSEL = 0
@@ -309,7 +311,7 @@ class L_ICON_NO(IntEnum):
     WARN_MEMORY = 27
 
 
-class M_ICON_NO(IntEnum):
+class M_ICON_NO(IntEnum, metaclass=MemberNames):
     """Icons of the set MENU_ICON: kinds of Bluetooth peers, locks and check boxes."""
 
     ICON_STAR = 0
@@ -337,7 +339,7 @@ class M_ICON_NO(IntEnum):
     XED = ICON_XED
 
 
-class A_ICON_NO(IntEnum):
+class A_ICON_NO(IntEnum, metaclass=MemberNames):
     """Icons of the set ARROW_ICON: small arrows."""
 
     ICON_LEFT = 1
@@ -347,7 +349,7 @@ class A_ICON_NO(IntEnum):
     RIGHT = ICON_RIGHT
 
 
-class BTTYPE(IntEnum):
+class BTTYPE(IntEnum, metaclass=MemberNames):
     """Kinds of Bluetooth peers, numbered like their icons in the set MENU_ICON."""
 
     BTTYPE_PC = 3
@@ -361,7 +363,7 @@ class BTTYPE(IntEnum):
     UNKNOWN = BTTYPE_UNKNOWN
 
 
-class LEDPATTERN(IntEnum):
+class LEDPATTERN(IntEnum, metaclass=MemberNames):
     """Colours and rhythms of the light behind the buttons."""
 
     LED_BLACK = 0
@@ -387,7 +389,7 @@ class LEDPATTERN(IntEnum):
     ORANGE_PULSE = LED_ORANGE_PULSE
 
 
-class LEDTYPE(IntEnum):
+class LEDTYPE(IntEnum, metaclass=MemberNames):
     """Single lights behind the buttons: right or left, red or green."""
 
     LED_ALL = 0
@@ -403,7 +405,7 @@ class LEDTYPE(IntEnum):
     LG = LED_LG
 
 
-class FILETYPE(IntEnum):
+class FILETYPE(IntEnum, metaclass=MemberNames):
     """Kinds of files in the browser; it ORs TYPE_SDCARD or TYPE_USBSTICK to the kind found there."""
 
     FILETYPE_UNKNOWN = 0
@@ -420,7 +422,7 @@ class FILETYPE(IntEnum):
     TYPE_REFRESH_BROWSER = -2
 
 
-class RESULT(IntEnum):
+class RESULT(IntEnum, metaclass=MemberNames):
     """Result of an operation, or that it is still running."""
 
     OK = 0
@@ -430,7 +432,7 @@ class RESULT(IntEnum):
     START = 8
 
 
-class DATA_FORMAT(IntEnum):
+class DATA_FORMAT(IntEnum, metaclass=MemberNames):
     """Formats of values, for sensors and mailboxes; FORMAT_TYPES has their types."""
 
     DATA_8 = 0
@@ -445,7 +447,7 @@ class DATA_FORMAT(IntEnum):
     DATA_SI = 19
 
 
-class DEL(IntEnum):
+class DEL(IntEnum, metaclass=MemberNames):
     """Separators between two values in a text file."""
 
     DEL_NONE = 0
@@ -467,7 +469,7 @@ class DEL(IntEnum):
     CRLF = DEL_CRLF
 
 
-class HWTYPE(IntEnum):
+class HWTYPE(IntEnum, metaclass=MemberNames):
     """Carriers of the protocol."""
 
     HW_USB = 1
@@ -479,7 +481,7 @@ class HWTYPE(IntEnum):
     WIFI = HW_WIFI
 
 
-class ENCRYPT(IntEnum):
+class ENCRYPT(IntEnum, metaclass=MemberNames):
     """Encryption of a WiFi network."""
 
     ENCRYPT_NONE = 0
@@ -489,7 +491,7 @@ class ENCRYPT(IntEnum):
     WPA2 = ENCRYPT_WPA2
 
 
-class LMS_ENCRYPT(IntEnum):
+class LMS_ENCRYPT(IntEnum, metaclass=MemberNames):
     """Encryption of a WiFi network, under the names of the extended firmware."""
 
     LMS_ENCRYPT_NONE = 0
@@ -499,7 +501,7 @@ class LMS_ENCRYPT(IntEnum):
     WPA2 = LMS_ENCRYPT_WPA2
 
 
-class COLOR(IntEnum):
+class COLOR(IntEnum, metaclass=MemberNames):
     """Colour channels of the NXT colour sensor; BLANK is the reading without light."""
 
     RED = 0
@@ -508,7 +510,7 @@ class COLOR(IntEnum):
     BLANK = 3
 
 
-class NXTCOLOR(IntEnum):
+class NXTCOLOR(IntEnum, metaclass=MemberNames):
     """Colours that a colour sensor recognises."""
 
     BLACKCOLOR = 1
@@ -519,7 +521,7 @@ class NXTCOLOR(IntEnum):
     WHITECOLOR = 6
 
 
-class WARNING(IntFlag):
+class WARNING(IntFlag, metaclass=MemberNames):
     """Warnings of the brick, one bit each; WARNINGS masks those shown to the user."""
 
     WARNING_TEMP = 1
@@ -541,7 +543,7 @@ class WARNING(IntFlag):
     BUSY = WARNING_BUSY
 
 
-class OBJSTAT(IntEnum):
+class OBJSTAT(IntEnum, metaclass=MemberNames):
     """State of a program or object; one at a time, though each number is a single bit."""
 
     RUNNING = 16
@@ -550,7 +552,7 @@ class OBJSTAT(IntEnum):
     HALTED = 128
 
 
-class DEVCMD(IntEnum):
+class DEVCMD(IntEnum, metaclass=MemberNames):
     """Commands to a UART sensor; DEVCMD_FIRE is another name of DEVCMD_RESET (compat lacks it)."""
 
     DEVCMD_RESET = 17
@@ -562,7 +564,7 @@ class DEVCMD(IntEnum):
     CHANNEL = DEVCMD_CHANNEL
 
 
-class CONN(IntEnum):
+class CONN(IntEnum, metaclass=MemberNames):
     """Kinds of connection that a port detects."""
 
     CONN_UNKNOWN = 111

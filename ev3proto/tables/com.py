@@ -168,6 +168,7 @@ COM = (
                     Out("PINCODE", STRING, "the PIN", length="LENGTH"),
                 ),
                 effects=(Effect.VARIES, Effect.COMPUTES),
+                words="pairing",
             ),
             Command(
                 7,
@@ -323,6 +324,7 @@ COM = (
                 "Switches Bluetooth or WiFi on or off",
                 (RADIO, ACTIVE),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="enable disable",
             ),
             Command(
                 2,
@@ -339,6 +341,7 @@ COM = (
                     ),
                 ),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="discoverable pairing",
             ),
             Command(
                 3,
@@ -355,6 +358,7 @@ COM = (
                     ),
                 ),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="scan",
             ),
             Command(
                 5,
@@ -362,6 +366,7 @@ COM = (
                 "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
                 (RADIO, NAME, In("PINCODE", STRING, "PIN or password")),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="pairing password",
             ),
             Command(
                 6,
@@ -389,6 +394,7 @@ COM = (
                     ),
                 ),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="connect pairing",
             ),
             Command(
                 8,
@@ -397,6 +403,7 @@ COM = (
                 (In("NAME", STRING, "new name, at most 118 characters, else refused", most=119, letters=NAME_LETTERS),),
                 effects=(Effect.RENAMES, Effect.CHANGES_SETTINGS),
                 sentence="renames the brick to {NAME}",
+                words="rename",
             ),
             Command(
                 9,

@@ -312,6 +312,7 @@ class Command(NamedTuple):
     newer       unknown to the validator of the release of 2013
     sentence    what it does with its arguments, for people: `{NAME}` is a value, `{A+B}` a sum; a clause in brackets is
                 omitted where its value is not a constant; after | is the clause for a value with a special meaning
+    words       what people call it who do not know its name, for searches
     """
 
     number: int
@@ -323,6 +324,7 @@ class Command(NamedTuple):
     effects: tuple[Effect, ...] = ()
     newer: bool = False
     sentence: str = ""
+    words: str = ""
 
 
 class Opcode(NamedTuple):
@@ -346,6 +348,7 @@ class Opcode(NamedTuple):
     newer: bool = False
     cmd_table: str | None = None
     sentence: str = ""
+    words: str = ""
 
     @property
     def is_family(self) -> bool:
@@ -398,6 +401,11 @@ class Declaration:
     def sentence(self) -> str:
         """What it does with its arguments, see `Command`; empty where its text says enough."""
         return self.command.sentence if self.command else self.opcode.sentence
+
+    @property
+    def words(self) -> str:
+        """What else people call it, see `Command`."""
+        return self.command.words if self.command else self.opcode.words
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -132,6 +132,7 @@ INPUT = (
                     In("CAL_MAX", DATA32, "raw value at full scale"),
                 ),
                 effects=(Effect.CHANGES_SETTINGS,),
+                words="calibrate",
             ),
             Command(
                 4,
@@ -202,7 +203,12 @@ INPUT = (
                 effects=(Effect.WRITES_TO_DEVICES,),
             ),
             Command(
-                10, "CLR_ALL", "Clears counters and angles of all devices", (LAYERS,), effects=(Effect.SETS_MOTORS,)
+                10,
+                "CLR_ALL",
+                "Clears counters and angles of all devices",
+                (LAYERS,),
+                effects=(Effect.SETS_MOTORS,),
+                words="reset gyro sensor zero",
             ),
             Command(
                 11,
@@ -356,6 +362,7 @@ INPUT = (
                 ),
                 effects=(Effect.WAITS, Effect.VARIES, Effect.READS),
                 sentence="reads {NO} in SI units, when it is ready",
+                words="measure sensor",
             ),
             Command(
                 30,
@@ -409,6 +416,7 @@ INPUT = (
         (LAYER, NO, TYPE_TO_SET, MODE_TO_SET, Out("SI", DATAF, "value in the mode's unit, NaN if there is none")),
         effects=(Effect.VARIES, Effect.READS),
         sentence="reads {NO} in SI units",
+        words="measure sensor",
     ),
     Opcode(
         0x9E,
@@ -435,6 +443,7 @@ INPUT = (
             In("DATA", DATA8, "bytes to send", length="BYTES"),
         ),
         effects=(Effect.WRITES_TO_DEVICES,),
+        words="reset gyro sensor",
     ),
     Opcode(
         0xE0,

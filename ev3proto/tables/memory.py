@@ -277,6 +277,7 @@ MEMORY = (
                     Out("ITEMS", DATA8, "number of entries"),
                 ),
                 effects=(Effect.VARIES, Effect.READS),
+                words="directory",
             ),
             Command(
                 14,
@@ -464,6 +465,7 @@ MEMORY = (
                 "Deletes a file, or a folder with the files in it",
                 (FILE_NAME,),
                 effects=(Effect.DELETES_FILES,),
+                words="delete erase",
             ),
             Command(
                 31,

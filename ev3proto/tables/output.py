@@ -86,6 +86,7 @@ def limited(number: int, name: str, text: str, drive: Parameter, limits: tuple[P
         (LAYER, NOS, drive, *limits, BRAKE),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
         sentence=f"{way} {{{total}}} at {drive.name.lower()} {{{drive.name}}}[, then {{BRAKE}}]",
+        words="turn rotate drive seconds" if limits is TIME_LIMITS else "turn rotate drive",
     )
 
 
@@ -131,6 +132,7 @@ OUTPUT = (
         (LAYER, NOS, BRAKE),
         effects=(Effect.STOPS_MOTORS,),
         sentence="stops {NOS}[ ({BRAKE})]",
+        words="stop brake halt float coast",
     ),
     Opcode(
         0xA4,
@@ -149,6 +151,7 @@ OUTPUT = (
         effects=(Effect.SETS_MOTORS, Effect.AWAITS_START),
         note="a motor that runs by power goes on as before, until OUTPUT_STOP and OUTPUT_START",
         sentence="sets the speed of {NOS} to {SPEED}",
+        words="velocity",
     ),
     Opcode(
         0xA6,
@@ -158,6 +161,7 @@ OUTPUT = (
         effects=(Effect.RUNS_MOTORS, Effect.STARTS_MOTORS),
         note="nothing changes for a motor that runs; after a move by speed a motor creeps until power or speed is set",
         sentence="starts {NOS}",
+        words="turn run go",
     ),
     Opcode(
         0xA7,
@@ -178,6 +182,7 @@ OUTPUT = (
         note="the power that was set is put out at once, also without OUTPUT_START; a move in progress may not end, and"
         " synchronous moves ignore it",
         sentence="sets the direction of {NOS} to {POL}",
+        words="reverse invert",
     ),
     Opcode(
         0xA8,
@@ -193,6 +198,7 @@ OUTPUT = (
         " OUTPUT_GET_COUNT reads the angle that a motor has turned",
         effects=(Effect.VARIES, Effect.READS),
         sentence="reads speed and count of {NO}",
+        words="encoder rotation position",
     ),
     Opcode(
         0xA9,
@@ -236,6 +242,7 @@ OUTPUT = (
         ),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
         sentence="turns {NOS} in step by {STEP} at speed {SPEED} with turn ratio {TURN}[, then {BRAKE}]",
+        words="turn steer drive curve",
     ),
     Opcode(
         0xB1,
@@ -251,6 +258,7 @@ OUTPUT = (
         ),
         effects=(Effect.STARTS_MOVE, Effect.RUNS_MOTORS),
         sentence="runs {NOS} in step for {TIME} at speed {SPEED} with turn ratio {TURN}[, then {BRAKE}]",
+        words="turn steer drive curve seconds",
     ),
     Opcode(
         0xB2,
@@ -259,6 +267,7 @@ OUTPUT = (
         (LAYER, NOS),
         effects=(Effect.SETS_MOTORS,),
         sentence="sets the counts of {NOS} to zero",
+        words="reset encoder zero",
     ),
     Opcode(
         0xB3,
@@ -280,6 +289,7 @@ OUTPUT = (
         ),
         effects=(Effect.VARIES, Effect.READS),
         sentence="reads the count of {NOS}",
+        words="encoder rotation position",
     ),
     Opcode(
         0xB4,

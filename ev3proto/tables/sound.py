@@ -26,7 +26,13 @@ SOUND = (
         "SOUND",
         "Plays or stops a sound",
         commands=(
-            Command(0, "BREAK", "Stops the tone or file that is playing", effects=(Effect.ENDS_SOUND,)),
+            Command(
+                0,
+                "BREAK",
+                "Stops the tone or file that is playing",
+                effects=(Effect.ENDS_SOUND,),
+                words="stop silence mute",
+            ),
             Command(
                 1,
                 "TONE",
@@ -51,6 +57,7 @@ SOUND = (
                 ),
                 effects=(Effect.STARTS_SOUND,),
                 sentence="plays {FREQUENCY}[ for {DURATION}|, {DURATION}][ at volume {VOLUME}|, {VOLUME}]",
+                words="beep note melody music",
             ),
             Command(
                 2,
@@ -60,6 +67,7 @@ SOUND = (
                 effects=(Effect.STARTS_SOUND,),
                 note=FILE_NOTE,
                 sentence="plays the sound file {NAME} once[ at volume {VOLUME}|, {VOLUME}]",
+                words="music wav",
             ),
             Command(
                 3,

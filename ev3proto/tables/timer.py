@@ -18,6 +18,7 @@ TIMER = (
         ),
         effects=(Effect.VARIES, Effect.COMPUTES),
         sentence="begins a wait of {TIME}",
+        words="sleep delay pause",
     ),
     Opcode(
         0x86,

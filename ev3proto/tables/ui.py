@@ -118,6 +118,7 @@ UI = (
                 "Reads the battery voltage",
                 (Out("VALUE", DATAF, "voltage", unit="V"),),
                 effects=(Effect.VARIES, Effect.READS),
+                words="battery",
             ),
             Command(
                 2,
@@ -267,6 +268,7 @@ UI = (
                 "Reads the battery level, derived from its voltage",
                 (Out("PCT", DATA8, "battery level", range=(0, 100), unit="%"),),
                 effects=(Effect.VARIES, Effect.READS),
+                words="battery",
             ),
             Command(
                 21,
@@ -508,6 +510,7 @@ UI = (
                 (In("PATTERN", DATA8, "colour and rhythm", enum=LEDPATTERN),),
                 effects=(Effect.SIGNALS,),
                 sentence="sets the light around the buttons to {PATTERN}",
+                words="light lamp",
             ),
             Command(
                 29,
@@ -673,6 +676,7 @@ UI = (
                 "Shows on the display what has been drawn, and restores the normal font",
                 effects=(Effect.SHOWS,),
                 sentence="shows on the display what has been drawn",
+                words="screen refresh",
             ),
             Command(
                 1,
@@ -716,6 +720,7 @@ UI = (
                 (COLOR, X0, Y0, In("STRING", STRING, "text to draw")),
                 effects=(Effect.DRAWS,),
                 sentence="draws the text {STRING} in {COLOR} at ({X0}, {Y0})",
+                words="print write screen",
             ),
             Command(
                 6,

@@ -85,6 +85,7 @@ VM = (
         ),
         effects=(Effect.CONTROLS_PROGRAMS,),
         sentence="starts the program in slot {PRGID}",
+        words="run launch",
     ),
     Opcode(
         0x04,

@@ -73,6 +73,23 @@ def test_help_of_a_number_has_all_of_its_meanings() -> None:
     assert "0x1D TYPE_COLOR (type of a sensor or motor)" in run("help", "29").stdout
 
 
+@pytest.mark.parametrize(
+    ("said", "names"),
+    [
+        ("beep", ["SOUND.TONE"]),
+        ("encoder", ["OUTPUT_READ", "OUTPUT_CLR_COUNT", "OUTPUT_GET_COUNT"]),
+        ("reset gyro", ["INPUT_DEVICE.CLR_ALL", "INPUT_WRITE"]),
+        ("pairing", ["COM_GET.GET_PIN", "COM_SET.SET_PIN"]),
+        ("stop", ["OUTPUT_STOP", "SOUND.BREAK"]),
+        ("turn", ["OUTPUT_START", "OUTPUT_STEP_SPEED", "OUTPUT_TIME_SPEED", "OUTPUT_STEP_SYNC"]),
+    ],
+)
+def test_help_by_what_people_call_it(said: str, names: list[str]) -> None:
+    found = run("help", *said.split()).stdout
+    assert found == run("ops", *said.split()).stdout
+    assert [name for name in names if not re.search(rf"(^|0x.. ){re.escape(name)} ", found, re.MULTILINE)] == []
+
+
 def test_help_suggests_what_is_known() -> None:
     assert "did you mean COL-COLOR" in run("help", "COL-COLOUR").stderr
     assert "did you mean US-DIST-CM" in run("help", "US-DISTCM").stderr

@@ -212,6 +212,14 @@ def test_constant_names() -> None:
         assert getattr(ev3proto, name) == constant(name)
     with pytest.raises(AttributeError, match="opUI_Draw"):
         _ = ev3proto.opUI_Drw
+    for name, meant in (
+        ("decode", "parse"),
+        ("encode", "command"),
+        ("pars", "parse"),
+        ("Brick", "ev3proto.brick.Brick"),
+    ):
+        with pytest.raises(AttributeError, match=rf"has no attribute '{name}': did you mean {meant}\?$"):
+            getattr(ev3proto, name)
 
 
 # The encoding functions.

@@ -93,6 +93,8 @@ def test_enumerations_have_the_names_of_the_firmware_and_short_ones() -> None:
     assert (LED.RED_FLASH.name, int(LED.RED_FLASH)) == ("LED_RED_FLASH", 5)
     assert LEDPATTERN["RED_PULSE"].name == "LED_RED_PULSE"
     assert repr(BUTTON.ENTER) == "<BUTTONTYPE.ENTER_BUTTON: 2>"
+    with pytest.raises(AttributeError, match=r"^TYPE has no member TOUCH: did you mean TYPE_TOUCH\?$"):
+        _ = enums.TYPE.TOUCH  # type: ignore[attr-defined]
     assert [member.name for member in enums.TYPE][:3] == ["MODE_KEEP", "TYPE_KEEP", "TYPE_NXT_TOUCH"]
     assert repr(DEVCMD.FIRE) == repr(DEVCMD.RESET)
     assert (WARNING.TEMP | WARNING.BUSY) == 129

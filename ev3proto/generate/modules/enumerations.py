@@ -42,6 +42,8 @@ def _lines() -> Iterator[str]:
     yield ""
     yield "from enum import IntEnum, IntFlag"
     yield ""
+    yield "from ev3proto.errors import MemberNames"
+    yield ""
     yield from exported([*(naming.declared.name for naming in namings), *aliases])
     for naming in namings:
         yield ""
@@ -65,7 +67,7 @@ def _aliases(namings: Sequence[_Naming]) -> dict[str, str]:
 
 def _class(naming: _Naming) -> Iterator[str]:
     declared = naming.declared
-    yield f"class {declared.name}({'IntFlag' if declared.flags else 'IntEnum'}):"
+    yield f"class {declared.name}({'IntFlag' if declared.flags else 'IntEnum'}, metaclass=MemberNames):"
     yield from indented(docstring([sentence(declared.text)]))
     yield ""
     yield from indented(f"{name} = {number}" for name, number in declared.members.items())

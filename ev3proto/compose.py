@@ -13,7 +13,6 @@ from ev3proto.errors import BuildError
 from ev3proto.messages import DirectCommand, Operation, Variable
 from ev3proto.schema.argument import encode_variable
 from ev3proto.schema.constructors import EMPTY_COMMAND, placed_in_frame
-from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.drafts.draft import STAND_IN, Draft, draft_of
 from ev3proto.semantics.drafts.placeholders import (
     Allocator,
@@ -26,15 +25,10 @@ from ev3proto.semantics.drafts.placeholders import (
     joined,
     with_jumps,
 )
-from ev3proto.semantics.footprint import Footprint
+from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint
 from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS
 
 __all__ = ["Draft", "Global", "Label", "Local", "Placeholder", "command"]
-
-
-LIMITS = {LOCAL: MAX_LOCALS, GLOBAL: MAX_FRAME - HEADER_SIZE}
-"""Maximum size of each memory, in bytes: more locals do not fit into the header, more globals not into a reply."""
 
 
 Layout = tuple[list[bytes], int, int, bool]
@@ -57,7 +51,7 @@ def _layout_of_omitted(drafts: Sequence[Draft], omitted: str) -> Layout | None:
         for _, wanted, alignment in draft.needs:
             start = aligned(size, alignment)
             size = start + wanted
-            if size > LIMITS[omitted]:
+            if size > MEMORY_LIMITS[omitted]:
                 return None
             pieces.append(_variable(omitted, start))
         encoded.append(b"".join(pieces))
@@ -76,7 +70,7 @@ class _LayoutOfAll:
     def __init__(self, drafts: Sequence[Draft], omitted: str) -> None:
         self._drafts = [(draft, draft.footprints) for draft in drafts]
         self._omitted = omitted
-        self._memories = {scope: Allocator(scope, limit) for scope, limit in LIMITS.items()}
+        self._memories = {scope: Allocator(scope, limit) for scope, limit in MEMORY_LIMITS.items()}
         self._places: dict[Placeholder, Variable] = {}
         self._writes_globals = False
         self._shared: dict[Placeholder, list[Footprint]] = {}
@@ -92,7 +86,7 @@ class _LayoutOfAll:
     def _take(self, footprint: Footprint) -> None:
         memory = self._memories[footprint.argument.kind]
         is_open = footprint.room is None
-        memory.take(footprint.start, _room(footprint), footprint.full_name, is_open=is_open)
+        memory.take(footprint.start, footprint.reserved, footprint.full_name, is_open=is_open)
         self._writes_globals |= _is_stored(footprint) and footprint.is_global
 
     def layout(self, labels: Mapping[Label, int]) -> Layout:
@@ -142,12 +136,7 @@ def _need(place: Placeholder, found: Sequence[Footprint]) -> Need:
 
 
 def _need_of(footprint: Footprint) -> Need:
-    return Need(footprint.full_name, _room(footprint), footprint.facts.alignment)
-
-
-def _room(footprint: Footprint) -> int:
-    """Returns the bytes to reserve for a variable: its maximum size, or else the certain part."""
-    return footprint.size if footprint.room is None else footprint.room
+    return Need(footprint.full_name, footprint.reserved, footprint.facts.alignment)
 
 
 def _is_stored(footprint: Footprint) -> bool:
@@ -222,10 +211,9 @@ def _drafted(operation: Draft | Operation | Label) -> Draft:
 def _size(scope: str, needed: int, by_hand: int | None) -> int:
     """Returns the size of a memory to request."""
     if by_hand is None:
-        if needed > LIMITS[scope]:
-            raise BuildError(
-                f"the operations use {scope} memory up to byte {needed}, but it has at most {LIMITS[scope]} bytes"
-            )
+        if needed > MEMORY_LIMITS[scope]:
+            most = MEMORY_LIMITS[scope]
+            raise BuildError(f"the operations use {scope} memory up to byte {needed}, but it has at most {most} bytes")
         return needed
     if isinstance(by_hand, int) and by_hand < needed:
         raise BuildError(

@@ -42,7 +42,7 @@ from ev3proto.program.image import parse as parse_program
 from ev3proto.program.parameters import ProgramParameter, code_of, has_size, table_bytes
 from ev3proto.schema import constructors
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, build_frame, write_memory
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY, build_frame, write_memory
 from ev3proto.schema.instructions import operation
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.functions import drafts
@@ -553,7 +553,7 @@ def direct_replies(chosen: Choice = ALL) -> SearchStrategy[DirectReply]:
     """Returns replies to direct commands, with memory of any size that fits into a frame."""
     return st.builds(
         constructors.direct_reply,
-        st.binary(max_size=MAX_FRAME - HEADER_SIZE),
+        st.binary(max_size=MOST_IN_REPLY),
         counter=_counters,
         error=_flags(chosen.of(*_DIRECT_REPLIES), "is_error"),
     )

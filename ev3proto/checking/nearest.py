@@ -29,17 +29,22 @@ from ev3proto.checking.edits import (
     whole_edits,
 )
 from ev3proto.checking.report import Report, Suggestion
-from ev3proto.checking.rules.header import MOST_IN_REPLY
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, read_memory, write_memory
-from ev3proto.semantics.footprint import footprints, needed
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    MEMORY_SIZE,
+    MOST_IN_REPLY,
+    read_memory,
+    write_memory,
+)
+from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
-from ev3proto.tables.encoding import GLOBAL, LOCAL
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LOCALS, REPLY_TYPES, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageType
 
 SURE = 3.6
 """The cost up to which a suggestion without a guess is certain enough for a fix."""
@@ -314,8 +319,8 @@ class _Search:
         if edit.kind in ("memory-missing", "memory-half"):
             new = _with_memory(new, self._dialect)
         elif edit.kind in ("memory-swapped", "memory-shift"):
-            sizes, _ = _needed_memory(new, self._dialect) or ((0, 0), False)
-            price += 5.0 if not any(sizes) else -1.5 if sizes == read_memory(new) else 0.0
+            shared, local, _ = _needed_memory(new, self._dialect) or NO_MEMORY
+            price += 5.0 if not shared and not local else -1.5 if (shared, local) == read_memory(new) else 0.0
         return _Candidate((edit,), price, self._read(new), new)
 
     def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:
@@ -323,7 +328,8 @@ class _Search:
         base = _OTHER_LENGTH if stated_size(frame) != len(frame) else 0.0
         whole = sized(frame[LENGTH_FIELD:])
         new = _with_memory(whole, self._dialect)
-        (sizes, is_exact), asked = _needed_memory(whole, self._dialect) or ((0, 0), True), read_memory(frame)
+        *sizes, is_exact = _needed_memory(whole, self._dialect) or NO_MEMORY
+        asked = read_memory(frame)
         at, end, guess = HEADER_SIZE, COMMAND_HEADER_SIZE, 0 if is_exact else MEMORY_SIZE
         words = *(counted(size, "byte") for size in sizes), *asked
         edit = Edit("memory-size", at, end, new[at:end], words, guess=guess)
@@ -400,23 +406,13 @@ def _suspicious(code: CommandCode, costs: list[float]) -> Iterable[int]:
     return sorted(numbers, reverse=True)
 
 
-def _needed_memory(frame: bytes, dialect: str) -> tuple[tuple[int, int], bool] | None:
-    """Returns the bytes of global and local memory that the operations of a frame use, and whether that is exact.
-
-    None if they cannot be read, or use more than there is.
-    """
+def _needed_memory(frame: bytes, dialect: str) -> Memory | None:
+    """Returns the memory that the operations of a frame use; None if they cannot be read, or use more than there is."""
     message = read_last(frame, dialect)
     if not isinstance(message, DirectCommand) or message.fault is not None:
         return None
-    sizes, is_exact = [], True
-    places = [place for operation in message.operations for place in footprints(operation)]
-    for scope in (GLOBAL, LOCAL):
-        own = [place for place in places if place.argument.form.kind == scope]
-        size = needed(own)
-        is_exact &= size is not None
-        sizes.append(max([place.end for place in own], default=0) if size is None else size)
-    fits = sizes[0] <= MOST_IN_REPLY and sizes[1] <= MAX_LOCALS
-    return ((sizes[0], sizes[1]), is_exact) if fits else None
+    used = memory_of(message.operations)
+    return used if used.excess is None else None
 
 
 def _with_memory(frame: bytes, dialect: str) -> bytes:
@@ -424,9 +420,9 @@ def _with_memory(frame: bytes, dialect: str) -> bytes:
     found = _needed_memory(frame, dialect)
     if found is None:
         return frame
-    (shared, local), _ = found
     asked = read_memory(frame)
-    word = write_memory(max(shared, asked[0]) if asked[0] <= MOST_IN_REPLY else shared, max(local, asked[1]))
+    shared = max(found.globals, asked[0]) if asked[0] <= MOST_IN_REPLY else found.globals
+    word = write_memory(shared, max(found.locals, asked[1]))
     return frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
 
 

@@ -14,15 +14,11 @@ from ev3proto.link.arguments import References, Use, path_of, port_of, type_valu
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.messages import GV, DirectCommand, DirectReply, Message, Operation
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import MOST_IN_REPLY
 from ev3proto.schema.instructions import operation
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.enumerations import TYPE
-from ev3proto.tables.frame import MAX_FRAME
-
-_MEMORY = MAX_FRAME - HEADER_SIZE
-"""Bytes of global memory in the longest reply."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +30,7 @@ class Inquiry:
 
     def build(self) -> bytes | None:
         """Returns the frame that asks; None if one frame is too short."""
-        at = _MEMORY - 2 * len(self.ports) - len(self.paths)
+        at = MOST_IN_REPLY - 2 * len(self.ports) - len(self.paths)
         ask = []
         for layer, port in self.ports:
             ask.append(operation("INPUT_DEVICE.GET_TYPEMODE", layer, port, GV(at), GV(at + 1)))
@@ -50,9 +46,9 @@ class Inquiry:
     def read(self, reply: bytes | None) -> Known:
         """Returns the answers in a reply."""
         message = None if reply is None else parse(reply, strict=False)
-        if not isinstance(message, DirectReply) or message.is_error or len(message.memory) != _MEMORY:
+        if not isinstance(message, DirectReply) or message.is_error or len(message.memory) != MOST_IN_REPLY:
             return NOTHING
-        at = _MEMORY - 2 * len(self.ports) - len(self.paths)
+        at = MOST_IN_REPLY - 2 * len(self.ports) - len(self.paths)
         answers = message.memory[at:]
         exist = answers[2 * len(self.ports) :]
         return Known(

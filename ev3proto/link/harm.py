@@ -14,7 +14,7 @@ from ev3proto.link.arguments import GRANTED, References, changing_argument, is_b
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.link.transfers import NO_TRANSFERS, is_listing, is_of
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, Operation, SystemCommand
-from ev3proto.schema.header import HEADER_SIZE
+from ev3proto.schema.header import MOST_IN_REPLY
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
@@ -70,9 +70,6 @@ class Harm(StrEnum):
 
 
 _GROUPED = frozenset(effect for harm in Harm for effect in harm.effects)
-
-_MOST_REPLIED = MAX_FRAME - HEADER_SIZE
-"""Bytes of global memory that fit into a reply."""
 
 
 class _Doing(NamedTuple):
@@ -145,7 +142,7 @@ def _of_direct(command: DirectCommand, known: Known) -> _Found:
     operations = code.operations
     is_whole = bool(operations) and operations[-1].offset + operations[-1].length <= MAX_FRAME
     does: list[_Doing] = []
-    unknown = [] if is_whole and command.global_size <= _MOST_REPLIED else ["the frame"]
+    unknown = [] if is_whole and command.global_size <= MOST_IN_REPLY else ["the frame"]
     counts: Counter[str] = Counter()
     for operation in operations:
         doing = _of_operation(operation, code, counts, known)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.fields import REPLIES
-from ev3proto.schema.header import HEADER_SIZE, build_frame
-from ev3proto.tables.frame import MAX_FRAME, MessageType
+from ev3proto.schema.header import MOST_IN_REPLY, build_frame
+from ev3proto.tables.frame import MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemStatus
 
 _NO_HANDLE = 0xFF
@@ -22,7 +22,7 @@ def refused(message: Message, status: SystemStatus) -> bytes | None:
         body = bytes((message.layer_to, message.layer_from))
         return build_frame(MessageType.DAISY_REPLY_ERROR, message.counter, body)
     size = message.global_size if isinstance(message, DirectCommand) else 0
-    return build_frame(MessageType.DIRECT_REPLY_ERROR, message.counter, bytes(min(size, MAX_FRAME - HEADER_SIZE)))
+    return build_frame(MessageType.DIRECT_REPLY_ERROR, message.counter, bytes(min(size, MOST_IN_REPLY)))
 
 
 def _fields(number: int) -> bytes:

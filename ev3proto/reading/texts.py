@@ -76,7 +76,8 @@ class TextReader:
                 yield from source(noted)
                 return
         missing = self._options.missing
-        for pasted in read_text(noted, is_silent) if missing is None else read_bare(noted, missing):
+        bare = missing and read_bare(noted, missing, self._options.dialect)
+        for pasted in bare or read_text(noted, is_silent):
             yield from self.pasted(pasted)
 
     def pasted(self, pasted: Pasted, place: Place | None = None) -> Found:

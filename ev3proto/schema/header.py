@@ -35,6 +35,9 @@ MEMORY_SIZE = _memory.size
 COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 """Offset of the first operation of a direct command."""
 
+MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
+"""Bytes of global memory that fit into a reply."""
+
 unpack_header = _header.unpack_from
 """Length field, counter and type number of the header in `(data, offset)`. Needs `HEADER_SIZE` bytes."""
 

@@ -12,9 +12,14 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from ev3proto.messages import Argument, Operation, Variable
+from ev3proto.schema.header import MOST_IN_REPLY
 from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.tables.declaration import Direction, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, TEXT
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT
+from ev3proto.tables.frame import MAX_LOCALS
+
+MEMORY_LIMITS = {GLOBAL: MOST_IN_REPLY, LOCAL: MAX_LOCALS}
+"""Maximum bytes of each memory: more globals do not fit into a reply, more locals cannot be requested."""
 
 NO_LIMIT = -1
 """The length that means "as long as the text is"."""
@@ -39,6 +44,11 @@ class Footprint:
     def end(self) -> int:
         """The first byte after the minimum size."""
         return self.start + self.size
+
+    @property
+    def reserved(self) -> int:
+        """Bytes to reserve when a place is chosen: its maximum size, or else the certain part."""
+        return self.size if self.room is None else self.room
 
     @property
     def is_open(self) -> bool:
@@ -94,6 +104,43 @@ def needed(used: Iterable[Footprint]) -> int | None:
             return None
         end = max(end, place.start + place.most)
     return end
+
+
+class Memory(NamedTuple):
+    """The memory that a command of some operations has to request.
+
+    Attributes:
+        globals: The bytes of global memory.
+        locals: The bytes of local memory.
+        is_exact: Whether the operations tell the maximum size of all that they use.
+
+    """
+
+    globals: int
+    locals: int
+    is_exact: bool = True
+
+    @property
+    def excess(self) -> str | None:
+        """What is wrong with sizes that no command can request or no reply carry, as a sentence; None if all fits."""
+        for scope, size in zip((GLOBAL, LOCAL), self, strict=False):
+            if size > MEMORY_LIMITS[scope]:
+                return f"the operations use {size} bytes of {scope} memory; there are {MEMORY_LIMITS[scope]}"
+        return None
+
+
+NO_MEMORY = Memory(0, 0)
+
+
+def memory_of(operations: Iterable[Operation]) -> Memory:
+    """Returns the memory to request for operations: up to the last byte reserved for one of their variables."""
+    sizes, is_exact = {GLOBAL: 0, LOCAL: 0}, True
+    for operation in operations:
+        for place in footprints(operation):
+            scope = place.argument.form.kind
+            sizes[scope] = max(sizes[scope], place.start + place.reserved)
+            is_exact &= place.most is not None
+    return Memory(sizes[GLOBAL], sizes[LOCAL], is_exact)
 
 
 def unread(used: Sequence[Footprint]) -> Iterator[Footprint]:

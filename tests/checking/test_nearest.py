@@ -220,6 +220,13 @@ def test_a_float_that_is_written_in_another_way(kind: str, written: str) -> None
     assert (one.kind, one.frame[7:]) == (kind, bytes.fromhex("3F 83 00 00 C0 3F 60"))
 
 
+def test_an_element_of_a_mailbox_may_be_a_number_or_a_text() -> None:
+    frame = bytes.fromhex("0A00 0100 00 0000 DA 01 04 01 60")
+    report = ev3proto.check(frame, alone=True)
+    assert report.nearest[0].frame == bytes.fromhex("0A00 0100 00 0400 DA 01 04 01 60")
+    assert "request 4 bytes of global memory" in str(report)
+
+
 def test_a_run_has_a_limit() -> None:
     suggestions = search.Suggestions()
     for number in range(101):

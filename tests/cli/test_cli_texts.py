@@ -197,6 +197,11 @@ def test_frames_without_their_length_and_operations_alone() -> None:
     shown = json.loads(out("decode", "--json", "--operations", operations))
     assert [one["command"] for one in shown["operations"]] == ["TONE"]
     assert json.loads(out("decode", "--json", "--operations", "81 01 60"))["globals"] == 4
+    xtended = json.loads(out("decode", "--json", "--operations", "--dialect", "xtended", "E5 01 60"))
+    assert (xtended["globals"], xtended["type"]) == (1, "DIRECT_COMMAND_REPLY")
+    beyond = run("decode", "--operations", "81 01 C1 FF")
+    assert beyond.returncode == 1
+    assert b"the operations use 259 bytes of local memory; there are 63" in beyond.stderr
     wrapped = json.loads(out("decode", "--json", "--operations", "94 01 01 82\nB8 01 82 E8 03"))
     assert [one["command"] for one in wrapped["operations"]] == ["TONE"]
     assert b"--no-length" in run("decode", content).stderr

@@ -10,15 +10,12 @@ from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
 from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, frame_size, may_be_long
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY, frame_size, may_be_long
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MAX_FRAME, MIN_LENGTH, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES, MessageType
 from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
-
-MOST_IN_REPLY = MAX_FRAME - HEADER_SIZE
-"""Bytes of global memory that fit into a reply."""
 
 TYPE_OFFSET = HEADER_SIZE - 1
 """Offset of the message type."""

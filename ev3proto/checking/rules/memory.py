@@ -8,13 +8,13 @@ from dataclasses import replace
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import MOST_IN_REPLY, TYPE_OFFSET
+from ev3proto.checking.rules.header import TYPE_OFFSET
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.footprint import Footprint, Taken, needed, unread
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY
+from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed, unread
 from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
-from ev3proto.tables.frame import MAX_FRAME, MAX_LOCALS, MessageType
+from ev3proto.tables.frame import MAX_FRAME, MessageType
 
 _LARGEST = 4
 """Bytes of the largest value; requested sizes are often rounded up to its multiples."""
@@ -112,10 +112,11 @@ def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
             f"use a multiple of {multiple}",
         )
     if end > asked:
-        scope, most = ("global", MOST_IN_REPLY) if place.is_global else ("local", MAX_LOCALS)
+        scope, room = GLOBAL if place.is_global else LOCAL, start + place.reserved
+        most = MEMORY_LIMITS[scope]
         taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
         has = f"{counted(asked, 'byte')} of" if asked else "no"
-        more = f"request {counted(end, 'byte')} of {scope} memory, or " if end <= most else ""
+        more = f"request {counted(room, 'byte')} of {scope} memory, or " if room <= most else ""
         limit = "" if more else f"; {scope} memory has at most {counted(most, 'byte')}"
         yield operation.finding_at(
             codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS,

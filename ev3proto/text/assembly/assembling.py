@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.messages import Message
+from ev3proto.semantics.footprint import MEMORY_LIMITS
 from ev3proto.tables import check_dialect
 from ev3proto.tables.encoding import GLOBAL, LOCAL
 from ev3proto.tables.frame import COUNTERS, MAX_GLOBALS, SYSTEM_COMMAND_TYPES
 from ev3proto.tables.source import VARIABLE_WORDS
 from ev3proto.tables.system import SystemDeclaration
 from ev3proto.text.assembly.errors import MOST_ERRORS, AssemblyError, Lines, SourceError
-from ev3proto.text.assembly.messages import MOST_MEMORY, PendingMessage, begun_by, find_command, system_body
+from ev3proto.text.assembly.messages import PendingMessage, begun_by, find_command, system_body
 from ev3proto.text.assembly.names import LocalNames, Memory, Names
 from ev3proto.text.assembly.notations import MACROS, OF_FRAMES
 from ev3proto.text.assembly.operations import Assembler
@@ -80,7 +81,7 @@ class _Work:
     def _begin(self) -> None:
         """Forgets the names that belong to one message."""
         self._names.local = LocalNames()
-        self._memory = {scope: Memory(scope, MACROS, most) for scope, most in MOST_MEMORY.items()}
+        self._memory = {scope: Memory(scope, MACROS, most) for scope, most in MEMORY_LIMITS.items()}
 
     def take(self, statement: Statement) -> Iterator[Message]:
         """Adds a statement; yields messages that are complete. Errors are kept."""

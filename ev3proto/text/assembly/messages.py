@@ -6,14 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from ev3proto.errors import BuildError, near_misses
-from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, FieldValue, Flaw, Message, Operation
+from ev3proto.messages import DaisyCommand, DaisyReply, DirectCommand, FieldValue, Flaw, Message
 from ev3proto.schema.argument import text_bytes
 from ev3proto.schema.fields import REPLIES, REQUESTS, Fields
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.schema.wire_format import NUMBERS
-from ev3proto.semantics.footprint import footprints
+from ev3proto.semantics.footprint import MEMORY_LIMITS, memory_of
 from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING
 from ev3proto.tables.frame import (
@@ -44,9 +43,6 @@ _ALL_FACTS = {COUNTER: COUNTERS - 1, LENGTH: 0xFFFF}
 
 _TYPES = [member.name for member in MessageType]
 _MEMORIES = {GLOBAL: GLOBALS, LOCAL: LOCALS}
-
-MOST_MEMORY = {GLOBAL: MAX_FRAME - HEADER_SIZE, LOCAL: MAX_LOCALS}
-"""Maximum bytes of variables: those that a reply carries; those that a header can request."""
 
 _LOGIC = {"true": True, "false": False}
 
@@ -139,20 +135,20 @@ class PendingMessage:
     def _memory(self, body: bytes, variables: Mapping[str, int], dialect: str) -> dict[str, int]:
         """Returns the bytes of memory that a direct command requests: as stated, or as used."""
         operations, _ = instruction_set(dialect).scan(body, 0, len(body))
-        used = _used(operations)
+        used = memory_of(operations)._asdict()
         sizes = {}
         for scope, name in _MEMORIES.items():
             stated, declared = self.facts.get(name), variables[scope]
-            sizes[scope] = max(used[scope], declared) if stated is None else stated
+            sizes[scope] = max(used[name], declared) if stated is None else stated
             if stated is not None and declared > stated:
                 raise SourceError(
                     self.at, f"the variables take {declared} bytes of {scope} memory, and {name} says {stated}"
                 )
-            if stated is None and sizes[scope] > MOST_MEMORY[scope]:
+            if stated is None and sizes[scope] > MEMORY_LIMITS[scope]:
                 raise SourceError(
                     self.at,
-                    f"the operations use {sizes[scope]} bytes of {scope} memory; there are {MOST_MEMORY[scope]}"
-                    f" (put `message {name} {MOST_MEMORY[scope]}` before them to allow it)",
+                    f"the operations use {sizes[scope]} bytes of {scope} memory; there are {MEMORY_LIMITS[scope]}"
+                    f" (put `message {name} {MEMORY_LIMITS[scope]}` before them to allow it)",
                 )
         return sizes
 
@@ -178,16 +174,6 @@ def begun_by(header: MessageHeader | RawFrame, encoder: Encoder) -> PendingMessa
         pending.facts[name] = encoder.whole(value, name, 0, known[name])
     pending.is_lenient = LENGTH in pending.facts or pending.facts.get(COMMAND) not in (None, *DaisySubCommand)
     return pending
-
-
-def _used(operations: Iterable[Operation]) -> dict[str, int]:
-    """Returns the bytes of global and local memory that operations certainly use."""
-    used = {GLOBAL: 0, LOCAL: 0}
-    for operation in operations:
-        for found in footprints(operation):
-            scope = found.argument.kind
-            used[scope] = max(used[scope], found.start + (found.room or found.size))
-    return used
 
 
 # System commands and their replies

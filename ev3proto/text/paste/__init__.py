@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Literal
 
 from ev3proto.schema.frame import is_flawless
-from ev3proto.text.paste.frames import bare_reason, with_header, without_length
+from ev3proto.text.paste.frames import bare_reason, excess, with_header, without_length
 from ev3proto.text.paste.near import as_given, bytes_in
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader
@@ -50,7 +50,7 @@ def read_text(lines: Iterable[str], is_silent: Callable[[], bool] = lambda: Fals
     yield from Reader().read(lines, is_silent)
 
 
-def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:
+def read_bare(lines: Iterable[str], missing: Missing, dialect: str = "official") -> Iterator[Pasted]:
     """Yields the frames in lines of bytes that lack a part of it; each line is one.
 
     A line whose bytes cannot be a frame even so has a `problem`; a line without bytes yields nothing.
@@ -58,15 +58,18 @@ def read_bare(lines: Iterable[str], missing: Missing) -> Iterator[Pasted]:
     Args:
         lines: The lines.
         missing: What is put in front of the bytes of each.
+        dialect: The firmware whose operations use memory.
     """
-    completed = without_length if missing == "length" else with_header
     for number, line in enumerate(lines, 1):
         check_text(line)
         data = bytes_in(line[:MAX_LINE])
         if data:
-            problem = f"{len(data)} bytes are not a frame that lacks its {missing}"
-            frame = completed(data)
-            yield Pasted(frame or b"", number, short(line, MAX_TEXT), problem=problem if frame is None else None)
+            frame = without_length(data) if missing == "length" else with_header(data, dialect)
+            if frame is None:
+                problem: str | None = f"{len(data)} bytes are not a frame that lacks its {missing}"
+            else:
+                problem = excess(frame, dialect) if missing == "header" else None
+            yield Pasted(frame or b"", number, short(line, MAX_TEXT), problem=problem)
 
 
 def read_argument(text: str) -> Pasted:

@@ -69,16 +69,16 @@ class Finder:
     schema  reads frames
     """
 
-    __slots__ = ("_schema",)
+    __slots__ = ("schema",)
 
     def __init__(self, schema: FrameReader) -> None:
-        self._schema = schema
+        self.schema = schema
 
     def is_frame(self, buffer: bytes, at: int, end: int) -> bool:
         """Returns whether a valid frame is here that a program would send."""
         if end - at < HEADER_SIZE or buffer[at + HEADER_SIZE - 1] not in MESSAGE_TYPES:
             return False
-        return is_sensible(self._schema.read_frame(buffer[at:end], strict=False))
+        return is_sensible(self.schema.read_frame(buffer[at:end], strict=False))
 
     def is_self_evident(self, buffer: bytes, at: int) -> bool:
         """Returns whether a valid frame needs no other one after it: operations are rarely valid by chance."""
@@ -96,7 +96,7 @@ class Finder:
         if member.carries == "system":
             return buffer[at + HEADER_SIZE] in system.SYSTEM_BY_NUMBER
         if member.carries == "direct" and member.is_command and size - at > COMMAND_HEADER_SIZE:
-            _, fault = self._schema.instructions.scan(buffer, at + COMMAND_HEADER_SIZE, size)
+            _, fault = self.schema.instructions.scan(buffer, at + COMMAND_HEADER_SIZE, size)
             return fault is None or fault.truncated
         return True
 
@@ -158,8 +158,8 @@ class Finder:
         if end is None or (end > size and not is_cut):
             return self._unfinished(buffer, at) if is_begin or anywhere else Found.NOTHING
         if is_begin or self._is_confirmed(buffer, at, end, anywhere=anywhere):
-            message = self._schema.read_frame(buffer[at:end], strict=False)
-            if is_plausible(message, self._schema, is_cut=is_cut):
+            message = self.schema.read_frame(buffer[at:end], strict=False)
+            if is_plausible(message, self.schema, is_cut=is_cut):
                 return Found.CHAIN
         return Found.SINGLE if is_begin and self._fills(buffer, at, accepts, missing) else Found.NOTHING
 

@@ -21,6 +21,8 @@ from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
 from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossible_length, may_have_length, may_start
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import identify
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -322,9 +324,7 @@ class Cutter:
         front = self._buffer.look(at)
         if not isinstance(front, OutOfStep):
             return _BETWEEN
-        from ev3proto.text.paste.strangers import text_advice  # takes 14 ms, which right streams do not need
-
-        return text_advice(self._buffer[at:MAX_FRAME]) or front.reason
+        return advice(identify(self._buffer[at:MAX_FRAME], missing=False, reader=self._finder.schema)) or front.reason
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """Returns the piece at an offset, and its end, which is after the buffer's end if more bytes are needed."""

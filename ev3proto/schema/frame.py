@@ -399,9 +399,14 @@ def parse(
     return message
 
 
-def is_flawless(frame: bytes) -> bool:
-    """Returns whether a brick could read all of a frame, and knows its command."""
-    message = parse(frame, strict=False)
+def is_flawless(frame: bytes, reader: FrameReader | None = None) -> bool:
+    """Returns whether a brick could read all of a frame, and knows its command.
+
+    Args:
+        frame: The bytes from the length field to the last one.
+        reader: The reader of the dialect; None: of the official one.
+    """
+    message = (reader or frame_reader()).read_frame(frame, strict=False)
     if message.fault is not None:
         return False
     return not isinstance(message, SystemCommand | SystemReply) or message.command is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.schema.frame import is_flawless
+from ev3proto.schema.frame import FrameReader, is_flawless
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
 from ev3proto.tables.frame import COMMAND_TYPES, MESSAGE_TYPES
 
@@ -28,14 +28,19 @@ class Mangled(NamedTuple):
     lost: tuple[int, ...] = ()
 
 
-def mangled(data: bytes) -> Mangled | None:
-    """Returns what happened to bytes that were a frame before they went through a text; None for others."""
-    return None if _is_flawless(data) else next(_found(data), None)
+def mangled(data: bytes, reader: FrameReader | None = None) -> Mangled | None:
+    """Returns what happened to bytes that were a frame before they went through a text; None for others.
+
+    Args:
+        data: The bytes.
+        reader: The reader of the dialect; None: of the official one.
+    """
+    return None if _is_flawless(data, reader) else next(_found(data, reader), None)
 
 
-def _found(data: bytes) -> Iterator[Mangled]:
+def _found(data: bytes, reader: FrameReader | None) -> Iterator[Mangled]:
     for kind, original in (("utf-8", _without_utf8(data)), ("text-mode", data.replace(b"\r\n", b"\n"))):
-        if original != data and _is_flawless(original):
+        if original != data and _is_flawless(original, reader):
             yield Mangled(kind, original)
     if _REPLACED in data and _may_be(data.replace(_REPLACED, _QUESTION)):
         yield _lost("replaced", data, _REPLACED)
@@ -61,11 +66,11 @@ def _without_utf8(data: bytes) -> bytes:
         return data
 
 
-def _is_flawless(frame: bytes) -> bool:
+def _is_flawless(frame: bytes, reader: FrameReader | None) -> bool:
     """Returns whether bytes are a frame that a brick can read, or a reply of the right length."""
     if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[_TYPE_AT] not in MESSAGE_TYPES:
         return False
-    return is_flawless(frame)
+    return is_flawless(frame, reader)
 
 
 def _may_be(frame: bytes) -> bool:

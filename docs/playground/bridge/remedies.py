@@ -8,8 +8,9 @@ from itertools import islice
 
 from ev3proto.checking.checking import check
 from ev3proto.schema.frame import parse
+from ev3proto.semantics.identify import with_header, without_length
 from ev3proto.text.forms import as_hex
-from ev3proto.text.paste.frames import NO_LENGTH, OPERATIONS, with_header, without_length
+from ev3proto.text.paste.frames import NO_LENGTH, OPERATIONS
 
 MOST_LINES = 12
 """Maximum number of lines of a log for which remedies are looked for."""

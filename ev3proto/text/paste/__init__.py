@@ -24,8 +24,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Literal
 
-from ev3proto.schema.frame import is_flawless
-from ev3proto.text.paste.frames import bare_reason, excess, with_header, without_length
+from ev3proto.messages import DirectCommand
+from ev3proto.schema.frame import FrameReader, frame_reader, is_flawless
+from ev3proto.semantics.footprint import memory_of
+from ev3proto.semantics.identify import with_header, without_length
+from ev3proto.text.paste.frames import bare_reason
 from ev3proto.text.paste.near import as_given, bytes_in
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader
@@ -60,16 +63,23 @@ def read_bare(lines: Iterable[str], missing: Missing, dialect: str = "official")
         missing: What is put in front of the bytes of each.
         dialect: The firmware whose operations use memory.
     """
+    reader = frame_reader(dialect)
     for number, line in enumerate(lines, 1):
         check_text(line)
         data = bytes_in(line[:MAX_LINE])
         if data:
-            frame = without_length(data) if missing == "length" else with_header(data, dialect)
+            frame = without_length(data) if missing == "length" else with_header(data, reader)
             if frame is None:
                 problem: str | None = f"{len(data)} bytes are not a frame that lacks its {missing}"
             else:
-                problem = excess(frame, dialect) if missing == "header" else None
+                problem = _excess(frame, reader) if missing == "header" else None
             yield Pasted(frame or b"", number, short(line, MAX_TEXT), problem=problem)
+
+
+def _excess(frame: bytes, reader: FrameReader) -> str | None:
+    """Returns what is wrong with the memory that the operations of a frame use, as a sentence; None if it fits."""
+    message = reader.read_frame(frame, strict=False)
+    return memory_of(message.operations).excess if isinstance(message, DirectCommand) else None
 
 
 def read_argument(text: str) -> Pasted:

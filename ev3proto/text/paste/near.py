@@ -13,15 +13,13 @@ from itertools import islice, pairwise
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_end, frame_size
+from ev3proto.semantics.identify import LOOKS, identify, is_prose
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.frames import (
     HASHES,
-    LOOKS,
     bare_reason,
     has_place,
-    is_prose,
     is_swapped,
-    is_wrong_frame,
     may_begin,
 )
 from ev3proto.text.paste.heads import head_of, is_head
@@ -131,7 +129,10 @@ def _wrong(sequences: list[Values], rows: Sequence[Row]) -> Iterator[Near]:
                         continue
                     is_alone = len(rows) > 1 or is_listed or _is_alone(values, part, start, end, rows[0])
                     is_decimal = base in ("bits", "octal", "words") or (base == "decimal" and any(values.widths))
-                    if is_wrong_frame(data, is_alone=is_alone, is_decimal=is_decimal) and not _is_strange(data):
+                    if (
+                        len(data) >= LOOKS
+                        and identify(data, whole=is_alone, is_doubtful=is_decimal, missing=False).is_meant
+                    ):
                         yield _with_stop(Near(data, values, part, start, end), base, rows)
 
 
@@ -180,10 +181,6 @@ def _is_digest(part: Part, data: bytes) -> bool:
     return abs(frame_size(data) - len(data)) > LENGTH_FIELD and not is_swapped(data)
 
 
-def _is_strange(data: bytes) -> bool:
-    return strange_bytes(data) is not None
-
-
 def _is_alone(values: Values, part: Part, start: int, end: int, row: Row) -> bool:
     """Returns whether bytes are a literal, an array, or all of a line but for what introduces it."""
     first, last = values.span(part, start, end)
@@ -226,7 +223,7 @@ def _begun_in(values: Values, base: str, part: Part, rows: Sequence[Row]) -> Ite
         if is_one or _ADDRESS.match(rows[0].line, first.start) or _is_digest(part, data):
             continue
         found = _with_stop(Near(data, values, part, start, end), base, rows)
-        if _is_meant(found, values, before) and not _is_strange(data):
+        if _is_meant(found, values, before) and strange_bytes(data) is None:
             yield found
 
 

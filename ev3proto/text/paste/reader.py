@@ -14,7 +14,8 @@ from itertools import chain
 
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import frame_end
-from ev3proto.text.paste.frames import is_carried, is_whole, is_wrong_frame
+from ev3proto.semantics.identify import identify
+from ev3proto.text.paste.frames import is_carried, is_whole
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
 from ev3proto.text.paste.near import Near, near, told
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, Unknown, check_text, short
@@ -133,7 +134,7 @@ class Block:
         alone = best(row.sequences)
         if alone is not None and alone.worth.is_whole:
             return not is_needed or not row.is_bare or len(data) != size // (len(self.rows) + 1)
-        return not is_needed and frame_end(data) is not None and is_wrong_frame(data, is_alone=True)
+        return not is_needed and frame_end(data) is not None and identify(data, missing=False).is_meant
 
 
 def _data_of(row: Row, first: Row, place: int) -> bytes:
@@ -408,11 +409,11 @@ def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, st
     )
     starts = reading.values.row_offsets(part)
     for number, frame in enumerate(part.frames):
-        if is_wrong_frame(data[at : frame.start], is_alone=number > 0):
+        if identify(data[at : frame.start], whole=number > 0, missing=False).is_meant:
             yield at, frame.start
         follows = part.frames[number + 1].start if number + 1 < len(part.frames) else len(data)
         at = frame.end
-        if frame.is_natural and not is_wrong_frame(data[at:follows], is_alone=number + 1 < len(part.frames)):
+        if frame.is_natural and not identify(data[at:follows], whole=number + 1 < len(part.frames)).is_meant:
             if not at < follows == len(data) or not _is_rest(reading, part, at, lines):
                 at = min([*breaks[(place := bisect_left(breaks, at)) : place + 1], follows])
             else:
@@ -422,7 +423,7 @@ def _extents(reading: Reading, part: Part, check_sum: bytes, lines: dict[int, st
             at = frame.end if is_padding or is_sum else at
             at = frame.end if frame.end in starts else at
         yield frame.start, at
-    if is_wrong_frame(data[at:], is_alone=False):
+    if identify(data[at:], whole=False, missing=False).is_meant:
         yield at, len(data)
 
 

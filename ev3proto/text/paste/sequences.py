@@ -16,8 +16,9 @@ from typing import NamedTuple
 
 from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import with_length
+from ev3proto.semantics.identify import is_sure
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.frames import Edges, FrameSpan, frames_in, has_place, is_command, is_sure
+from ev3proto.text.paste.frames import Edges, FrameSpan, frames_in, has_place, is_command
 from ev3proto.text.paste.pieces import LEAST
 from ev3proto.text.paste.tokens import BYTES, UNLIKELY, Token, unknown_bytes
 

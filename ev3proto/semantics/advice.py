@@ -1,0 +1,46 @@
+"""What to say about bytes that are not a frame: one sentence for each kind, the same in every room."""
+
+from __future__ import annotations
+
+from ev3proto.semantics.identify import Identity, Kind
+from ev3proto.system import writemailbox
+
+_MAILBOX = "abc"
+"""The mailbox of the example: the name that LEGO's Messaging block begins with."""
+_MOST_QUOTED, _MOST_DIGITS, _MOST_SENT = 24, 300, 100
+
+_SAID = {
+    Kind.NXT: "this is a telegram for an NXT ({}), LEGO's earlier brick; an EV3 does not know it",
+    Kind.HUB: "this is a message of LEGO's Wireless Protocol ({}), for hubs with Bluetooth Low Energy (its first byte"
+    " counts all bytes, the second is the hub, the third the type); an EV3 does not know it",
+}
+_ALSO = "all of it is also a telegram for an NXT ({}), LEGO's earlier brick; for an EV3, it is the following frame"
+
+
+def advice(found: Identity) -> str | None:
+    """Returns a sentence about bytes that are a text or another product's telegram; None for any other."""
+    if found.kind is Kind.TEXT:
+        return _of_text(found.name)
+    if found.kind is Kind.DIGITS and found.frame is not None:
+        size = len(found.frame)
+        meant = found.frame.hex(" ").upper() if size <= _MOST_SENT else f"its {size} bytes"
+        return f"this is the text {_cut(found.name, _MOST_DIGITS)!r}, a frame written as characters; send {meant}"
+    return _SAID[found.kind].format(found.name) if found.kind in _SAID else None
+
+
+def other_reading(found: Identity) -> str | None:
+    """Returns a sentence about a right frame of which all is a telegram of the NXT, too; None for any other."""
+    return _ALSO.format(found.also) if found.also else None
+
+
+def _of_text(text: str) -> str:
+    """Returns the sentence about a text, with the frame that carries it to a mailbox."""
+    said = f"this is the text {_cut(text, _MOST_QUOTED)!r}, not a frame; a Messaging block needs WRITEMAILBOX"
+    if len(text) > _MOST_QUOTED:
+        return said
+    frame = writemailbox(_MAILBOX, text).build().hex(" ").upper()
+    return f"{said}: for its mailbox {_MAILBOX!r}, send {frame}"
+
+
+def _cut(text: str, limit: int) -> str:
+    return text if len(text) <= limit else text[: limit - 1].rstrip() + "\u2026"

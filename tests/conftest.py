@@ -55,7 +55,7 @@ if not THOROUGH:
 # The examples of a test depend on its source, which is read again for each test that is made within another one.
 vars(core)["function_digest"] = digest_of(reflection.function_digest)
 
-# The folder where tests/run installs the compiler of Kaitai Struct.
+# The folder where bin/setup installs the compiler of Kaitai Struct.
 COMPILER = Path(__file__).parents[1] / ".kaitai" / "node_modules" / "kaitai-struct-compiler"
 if COMPILER.is_dir():
     os.environ.setdefault("EV3PROTO_KSC", str(COMPILER))

@@ -20,6 +20,7 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
+from support.scripts import DESCRIPTIONS
 
 ROOT = Path(__file__).parents[2]
 LOCK = ROOT / "tests" / "requirements.lock"
@@ -40,6 +41,14 @@ esac
 """
 """Records what it installs. It takes some tenths of a second, at most until `calls.enough` exists."""
 
+NPM = r"""#!/bin/bash
+echo "$*" >>"$CALLS.npm"
+for word; do case "$word" in *@*) mkdir -p ".kaitai/node_modules/${word%@*}" ;; esac; done
+"""
+"""Records what it installs."""
+
+FAILS = "#!/bin/sh\nexit 1\n"
+
 
 class Checkout:
     """A copy of what bin/setup needs, with a fake Python."""
@@ -48,14 +57,37 @@ class Checkout:
         self.folder = folder / "checkout"
         (self.folder / "bin").mkdir(parents=True)
         (self.folder / "tests").mkdir()
-        for name in ("bin/setup", "pyproject.toml", "tests/requirements.lock"):
+        (self.folder / "docs" / "playground").mkdir(parents=True)
+        described = [f"docs/playground/{name}" for name in DESCRIPTIONS]
+        for name in ("bin/setup", "bin/ev3proto", "pyproject.toml", "tests/requirements.lock", *described):
             shutil.copy2(ROOT / name, self.folder / name)
             os.utime(self.folder / name, (1, 1))
-        (folder / "python3").write_text(PYTHON)
-        (folder / "python3").chmod(0o755)
+        self.programs = folder / "programs"
+        self.programs.mkdir()
+        self.program("python3", PYTHON)
+        self.program("npm", NPM)
         self.calls = folder / "calls"
         self.calls.touch()
-        self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(self.calls)}
+        self.env = {"PATH": f"{self.programs}:{os.environ['PATH']}", "CALLS": str(self.calls)}
+
+    def program(self, name: str, text: str) -> None:
+        """Puts a program before those of the system."""
+        (self.programs / name).unlink(missing_ok=True)
+        (self.programs / name).write_text(text)
+        (self.programs / name).chmod(0o755)
+
+    def leave_only(self, *names: str) -> None:
+        """Takes away the programs of the system, except these."""
+        for name in names:
+            (self.programs / name).symlink_to(str(shutil.which(name)))
+        self.env["PATH"] = str(self.programs)
+
+    def fail(self, *words: str) -> tuple[int, str]:
+        """The exit status of a call that fails, and the last line that it says."""
+        process = self.start(*words)
+        _, said = process.communicate(timeout=30)
+        assert process.returncode, said
+        return process.returncode, said.splitlines()[-1]
 
     def start(self, *words: str, takes: int = 0) -> subprocess.Popen[str]:
         return subprocess.Popen(
@@ -80,6 +112,10 @@ class Checkout:
     @property
     def installed(self) -> list[str]:
         return self.calls.read_text().splitlines()
+
+    @property
+    def installed_by_npm(self) -> list[str]:
+        return self.calls.with_suffix(".npm").read_text().splitlines()
 
     def wait_for_pip(self) -> None:
         until = time.monotonic() + 30
@@ -138,22 +174,105 @@ def test_a_checkout_that_was_moved(checkout: Checkout) -> None:
     assert str(checkout.folder) in (checkout.folder / ".venv" / "bin" / "ev3proto").read_text()
 
 
-def test_without_the_module_venv_and_the_right_to_install_it(checkout: Checkout, tmp_path: Path) -> None:
+BARE = ("bash", "sed", "tr", "dirname", "readlink", "basename", "cat", "cmp", "seq")
+"""What the script needs of a bare Debian until it installs something."""
+
+
+@pytest.mark.parametrize(
+    ("extra", "missing"),
+    [
+        ("plot", "python3-venv"),
+        ("docs", "npm python3-venv"),
+        ("test", "npm tshark gcc libc6-dev g++ jq chromium chromium-driver python3-venv"),
+    ],
+)
+def test_all_missing_packages_are_named_at_once(checkout: Checkout, extra: str, missing: str) -> None:
     """As on a bare Debian, for a user whom sudo refuses: what an administrator has to do, not what this user tried."""
-    for name, does in {
-        "id": "echo 1000",
-        "sudo": "exit 1",
-        "python3": 'case "$*" in *ensurepip*) exit 1 ;; esac',
-    }.items():
-        (tmp_path / name).write_text(f"#!/bin/sh\n{does}\n")
-        (tmp_path / name).chmod(0o755)
-    process = checkout.start()
-    _, said = process.communicate(timeout=30)
-    assert process.returncode == 2
-    assert said.splitlines()[-1] == (
-        "bin/setup: python3-venv could not be installed; have an administrator run:"
-        " apt-get install --no-install-recommends python3-venv"
+    (checkout.programs / "npm").unlink()
+    checkout.leave_only(*BARE)
+    checkout.program("id", "#!/bin/sh\necho 1000\n")
+    checkout.program("sudo", FAILS)
+    checkout.program("python3", '#!/bin/sh\ncase "$*" in *ensurepip*) exit 1 ;; esac\n')
+    assert checkout.fail(extra) == (
+        2,
+        "bin/setup: what is missing could not be installed; have an administrator run:"
+        f" apt-get install --no-install-recommends {missing}",
     )
+
+
+def test_without_a_network(checkout: Checkout) -> None:
+    """After what pip and npm say: where they look may as well be wrong."""
+    needs = "could not be installed: the first set-up, and one after an update, needs a network"
+    pip = PYTHON.replace('    echo "$*" >>"$CALLS"', "    exit 1")
+    checkout.program("python3", pip)
+    assert checkout.fail("test") == (1, f"bin/setup: the Python packages {needs}")
+    checkout.program("python3", PYTHON)
+    checkout.program("npm", FAILS)
+    assert checkout.fail("test") == (1, f"bin/setup: the compiler of Kaitai Struct {needs}")
+    checkout.program("npm", NPM)
+    checkout.run("test")
+
+
+def test_the_tests_need_packages_of_npm(checkout: Checkout) -> None:
+    versions = "kaitai-struct-compiler@0.11 kaitai-struct@0.11 js-yaml@4"
+    kaitai = f"install --silent --no-audit --no-fund --prefix .kaitai {versions}"
+    checks = "ci --silent --ignore-scripts --no-audit --no-fund"
+    checkout.run("test")
+    assert checkout.installed_by_npm == [kaitai, checks]
+    assert checkout.run("test") == ""
+    lock = checkout.folder / "docs" / "playground" / "package-lock.json"
+    lock.write_text(lock.read_text() + "\n")
+    checkout.run("test")
+    assert checkout.installed_by_npm == [kaitai, checks, checks]
+    assert len(checkout.installed) == 1, "pip is not called again"
+
+
+@pytest.mark.parametrize("locale", ["C", "POSIX"])
+def test_a_locale_without_umlauts(checkout: Checkout, locale: str) -> None:
+    """Python 3.11 reads the path of an editable install in the encoding of the locale."""
+    checkout.folder = checkout.folder.rename(checkout.folder.with_name("Übung"))
+    environment = checkout.folder / ".venv"
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", environment], check=True)
+    (packages,) = environment.glob("lib/python3*/site-packages")
+    (packages / "editable.pth").write_text(f"{checkout.folder}\n", encoding="utf-8")
+    script = environment / "bin" / "ev3proto"
+    script.write_text(f'#!/bin/sh\nexec "{environment}/bin/python" -c "print(\'it starts\')"\n', encoding="utf-8")
+    script.chmod(0o755)
+    (environment / "installed-page,plot,sample,scapy,serial,usb,wireshark").touch()
+    done = subprocess.run(
+        [checkout.folder / "bin" / "ev3proto"],
+        env={**checkout.env, "LC_ALL": locale},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "it starts\n", "")
+
+
+def test_the_documentation_is_built_again_when_a_source_changes(tmp_path: Path) -> None:
+    """A folder takes the place of the clone, and a program that of Sphinx: it counts."""
+    for name in ("docs", "ev3proto", "sphinx"):
+        (tmp_path / name).mkdir()
+    shutil.copy(ROOT / "docs" / "building.py", tmp_path / "docs")
+    (tmp_path / "README.md").write_text("read me")
+    (tmp_path / "sphinx" / "__init__.py").touch()
+    (tmp_path / "sphinx" / "__main__.py").write_text(
+        "import pathlib, sys\nfolder = pathlib.Path(sys.argv[-1])\nfolder.mkdir(exist_ok=True)\n"
+        "with (folder / 'built').open('a') as file:\n    file.write('x')\n"
+    )
+
+    def built() -> int:
+        command = [sys.executable, str(tmp_path / "docs" / "building.py"), str(tmp_path / "site")]
+        subprocess.run(command, check=True, capture_output=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+        return len((tmp_path / "site" / "built").read_text())
+
+    assert [built(), built()] == [1, 1]
+    (tmp_path / "README.md").touch()
+    assert built() == 1
+    (tmp_path / "README.md").write_text("read it")
+    assert built() == 2
+    (tmp_path / "ev3proto" / "new.py").touch()
+    assert built() == 3
 
 
 def test_the_playground_is_served_and_its_link_printed(tmp_path: Path) -> None:

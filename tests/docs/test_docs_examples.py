@@ -170,14 +170,14 @@ def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
     compiling, reading, _ = blocks(page, "javascript")
     shown, _ = blocks(page, "text")
     (tmp_path / "ev3.ksy").symlink_to(ROOT / "exports" / "ev3.ksy")
-    # Where tests/run has installed what the page tells its readers to install.
+    # Where bin/setup has installed what the page tells its readers to install.
     compiler = os.environ.get("EV3PROTO_KSC")
-    assert compiler is not None, "run tests/run once"
+    assert compiler is not None, "run bin/setup test"
     environment = {"NODE_PATH": str(Path(compiler).parent)}
     for name, program in (("compile.js", compiling), ("read.js", reading)):
         (tmp_path / name).write_text(program)
         done = run_program("node", name, cwd=tmp_path, env=environment)
-        assert (done.returncode, done.stderr) == (0, ""), "run tests/run once"
+        assert (done.returncode, done.stderr) == (0, ""), "run bin/setup test"
     assert done.stdout == shown
 
 

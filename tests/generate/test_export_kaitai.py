@@ -1,7 +1,7 @@
 """The Kaitai Struct description: its compiler accepts it, and the generated parser agrees with the codec.
 
 The compiler is the npm package kaitai-struct-compiler, run by node: the one in the folder that the variable
-EV3PROTO_KSC names, the one that tests/run installed, or the one that node itself finds.
+EV3PROTO_KSC names, the one that bin/setup installed, or the one that node itself finds.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def compile_for(languages: Iterable[str], dialect: str, folder: Path) -> None:
     module = os.environ.get(SETTING, "kaitai-struct-compiler")
     words = ["node", "-e", _COMPILE, module, str(source), str(folder), *languages]
     done = subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
-    assert "Cannot find module" not in done.stderr, f"run tests/run once, or name the compiler's folder in {SETTING}"
+    assert "Cannot find module" not in done.stderr, f"run bin/setup test, or name the compiler's folder in {SETTING}"
     assert (done.returncode, done.stderr) == (0, "")
 
 

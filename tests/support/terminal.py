@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 import traceback
+import warnings
 from importlib import import_module
 from pathlib import Path
 
@@ -63,7 +64,10 @@ def on_a_terminal(*words: str | bytes | Path) -> tuple[int, str]:
 def _started(words: list[str]) -> tuple[int, int]:
     """The number of the process, and the other end of the terminal."""
     if threading.active_count() == 1 and not _DRAWING & set(words):
-        child, terminal = pty.fork()
+        with warnings.catch_warnings():
+            # Python 3.12 and later also count threads of libraries, which hold nothing that the child needs.
+            warnings.filterwarnings("ignore", "This process .* is multi-threaded", DeprecationWarning)
+            child, terminal = pty.fork()
         if child == 0:
             _become_ev3proto(words)
         return child, terminal

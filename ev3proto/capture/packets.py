@@ -1,9 +1,11 @@
-"""Packets of capture files, whatever they carry: number, time, interface, bytes."""
+"""Packets of capture files, whatever they carry: number, time, interface, bytes. What each format says of itself."""
 
 from __future__ import annotations
 
+import io
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,3 +30,31 @@ class Packet(NamedTuple):
 
 MOST_PACKET = 1 << 24
 """Maximum size of a packet in bytes; a larger length field is damaged."""
+
+
+class Format(NamedTuple):
+    """A format of capture files.
+
+    name      as people call it
+    suffixes  of the names of such files
+    needs     the number of first bytes that always tell whether a file has this format
+    matches   tells it from the first bytes, fewer of them too: None if more are needed
+    packets   yields the packets of a file; raises CaptureError for a damaged one, after everything readable
+    is_read   False for a format that is only named, whose `packets` raises CaptureError at once
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    needs: int
+    matches: Callable[[bytes], bool | None]
+    packets: Callable[[io.BufferedReader[Any]], Iterator[Packet]]
+    is_read: bool = True
+
+
+def begins_with(*starts: bytes) -> Callable[[bytes], bool | None]:
+    """Returns the `matches` of a format whose files begin with one of these bytes."""
+
+    def matches(head: bytes) -> bool | None:
+        return head.startswith(starts) or (None if any(start.startswith(head) for start in starts) else False)
+
+    return matches

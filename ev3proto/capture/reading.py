@@ -87,7 +87,7 @@ def read(
     everything: bool = False,
     memory: int = DEFAULT_MEMORY,
 ) -> Capture:
-    """Reads a capture file: pcap, pcapng, btsnoop or pklg, with gzip or not, recognised by its first bytes.
+    """Reads a capture file of any of `capture.formats`, with gzip or not, recognised by its first bytes.
 
     `ev3proto.pyshark.read` reads all formats and link types of Wireshark.
 

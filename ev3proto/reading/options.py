@@ -37,7 +37,7 @@ class Words(NamedTuple):
 
     nothing   about a source in which nothing is; empty for advice by its contents
     argument  what a text can be besides a file
-    accepted  what can be read, for problems about anything else
+    accepted  what can be read, for problems about anything else, with a place for the formats of captures
     """
 
     nothing: str
@@ -45,7 +45,7 @@ class Words(NamedTuple):
     accepted: str
 
 
-READ = Words("", "nor a frame", "captures are pcap, pcapng, btsnoop or pklg files, packed with gzip or not")
+READ = Words("", "nor a frame", "captures are {captures}, packed with gzip or not")
 ENCODED = Words(
     "nothing to encode; expected assembly such as SOUND(TONE, 1, 440, 1000), objects as `decode --json` prints"
     " them, or frames in hex such as 06:00|2A:00|80|00:00|01",

@@ -188,11 +188,11 @@ class Part:
 
     def _contents(self, stream: BinaryIO) -> Iterator[Event]:
         """Yields what is in a file. Raises OSError, EOFError or zlib.error."""
-        from ev3proto.capture.formats import CaptureFile  # takes 9 ms, which frames do not need
+        from ev3proto.capture.formats import LISTED, CaptureFile  # takes 9 ms, which frames do not need
 
         options, given = self._options, self._given
         self._file = file = CaptureFile(stream)
-        found = recognized(file, given.path, options.dialect, options.words.accepted)
+        found = recognized(file, given.path, options.dialect, options.words.accepted.format(captures=LISTED))
         if found.kind is Kind.CAPTURE:
             yield from self._captured(file, None)
         elif found.kind is Kind.PROGRAM:

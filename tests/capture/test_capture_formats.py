@@ -6,6 +6,7 @@ import gc
 import gzip
 import io
 import os
+import re
 import struct
 import tracemalloc
 import warnings
@@ -14,11 +15,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from support.cli import run_ev3proto_text
 from support.files import BEGIN_NS, RAW_IP, Blocks, Timed, btsnoop, packetlogger, pcap, timed
 from support.packets import Capture as Packets
 from support.packets import Connection, SerialPort, packets_of
 
 from ev3proto.capture import Capture, CaptureError, read
+from ev3proto.capture.formats import FORMATS, LISTED
+from ev3proto.capture.packets import Format
 
 COMMANDS = [struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60") for counter in range(5)]
 """UI_READ.GET_VBATT, 10 bytes each."""
@@ -113,6 +117,30 @@ def test_the_link_of_a_pcap_file_may_say_that_check_sums_follow() -> None:
     data = bytearray(five_commands("<"))
     data[20:24] = struct.pack("<I", 0x5400_0000 | RAW_IP)
     assert read_bytes(bytes(data)) == (COMMANDS, None)
+
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.mark.parametrize("found", FORMATS, ids=lambda found: found.name)
+def test_each_format_is_decided_by_as_many_bytes_as_it_says(found: Format) -> None:
+    for head in (bytes(found.needs), b"a" * found.needs, b"0" * found.needs, b"#" * found.needs):
+        assert found.matches(head) is False
+    assert found.matches(b"") is None
+
+
+def test_pages_and_help_list_the_formats() -> None:
+    """To add a format, run this and change what it names."""
+    assert LISTED == "pcap, pcapng, btsnoop, pklg or usbmon's text"
+    pages = {name: " ".join((ROOT / name).read_text(encoding="utf-8").split()) for name in PAGES}
+    assert [name for name, text in pages.items() if LISTED not in text] == []
+    assert f"captures ({LISTED}; gzipped or not)" in " ".join(run_ev3proto_text("decode", "--help").stdout.split())
+    rows = (ROOT / "docs/howto/record.md").read_text(encoding="utf-8").partition("## Which files are read")[2]
+    suffixes = {suffix for found in FORMATS if found.is_read for suffix in found.suffixes}
+    assert suffixes <= set(re.findall(r"`(\.\w+)`", rows))
+
+
+PAGES = ("README.md", "docs/howto/captures.md")
 
 
 # Bluetooth
@@ -334,7 +362,7 @@ def test_a_file_may_be_cut_off_anywhere(way: str) -> None:
 def test_what_is_said_of_a_file_that_is_cut_off() -> None:
     whole = WAYS["pcap <"]
     told = {size: read_bytes(whole[:size])[1] for size in (0, 3, 20, 24 + 7, 24 + 16 + 49)}
-    formats = "expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
+    formats = "expected pcap, pcapng, btsnoop, pklg or usbmon's text, compressed with gzip or not"
     assert told == {
         0: f"not a capture file: it is empty; {formats}",
         3: f"not a capture file: it begins with D4 C3 B2; {formats}",
@@ -382,7 +410,7 @@ def test_a_gzip_stream_may_have_a_wrong_check_sum_or_something_behind_it() -> No
 
 
 def test_a_gzip_stream_may_have_nothing_of_use_in_it() -> None:
-    formats = "expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
+    formats = "expected pcap, pcapng, btsnoop, pklg or usbmon's text, compressed with gzip or not"
     assert read_bytes(gzip.compress(b"hello, world")) == (
         [],
         f"not a capture file: it begins with 68 65 6C 6C 6F 2C 20 77; {formats}",

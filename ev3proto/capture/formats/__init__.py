@@ -8,48 +8,34 @@ import os
 import stat
 import zlib
 from collections.abc import Callable, Iterator
-from importlib import import_module
 from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO, Self
 
-from ev3proto.capture.formats import hcidump, packetlogger
-from ev3proto.capture.packets import Packet
+from ev3proto.capture.formats import btsnoop, hcidump, packetlogger, pcap, pcapng, usbmon_text
+from ev3proto.capture.packets import Format, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 
+FORMATS = tuple(each.FORMAT for each in (pcap, pcapng, btsnoop, packetlogger, usbmon_text, hcidump))
+"""All formats. To add one, write its module and add it here."""
+
+_NAMES = [each.name for each in FORMATS if each.is_read]
+LISTED = f"{', '.join(_NAMES[:-1])} or {_NAMES[-1]}"
+"""The names of those that are read, for sentences."""
+
 GZIP = b"\x1f\x8b"
-
-MAGICS = {
-    bytes.fromhex("a1b2c3d4"): "pcap",
-    bytes.fromhex("d4c3b2a1"): "pcap",
-    bytes.fromhex("a1b23c4d"): "pcap",
-    bytes.fromhex("4d3cb2a1"): "pcap",
-    bytes.fromhex("0a0d0d0a"): "pcapng",
-    b"btsnoop\0": "btsnoop",
-}
-"""The first bytes of each format, and the module that reads it, imported for the first such file."""
-
-Reader = Callable[["io.BufferedReader[Any]"], Iterator[Packet]]
-
-_STARTS = (GZIP, *MAGICS)
-_MAGIC = max(map(len, MAGICS))
-_MOST_HEAD = max(_MAGIC, packetlogger.SIZE, hcidump.SIZE)
-"""The bytes that tell every format: of files without a magic, more are needed."""
+_is_gzip = begins_with(GZIP)
+_LEAST = 8
+"""First bytes that are requested at least, and shown of a file of no known format."""
 
 
-def _format_of(head: bytes) -> str | None:
-    """Returns the name of the module that reads files with these first bytes; None if there is none."""
-    found = next((name for magic, name in MAGICS.items() if head.startswith(magic)), None)
-    if found is None and packetlogger.order_of(head) is not None:
-        return "packetlogger"
-    return "hcidump" if found is None and hcidump.is_start(head) else found
-
-
-def _is_undecided(head: bytes) -> bool:
-    """Returns whether more bytes may tell the format; those without a magic have zeros, which texts do not."""
-    if len(head) >= _MOST_HEAD or head.startswith(_STARTS):
-        return False
-    return any(magic.startswith(head) for magic in _STARTS) or b"\0" in head
+def _needed(head: bytes) -> int:
+    """Returns the number of first bytes that may tell the format; 0 if these do, or no more can."""
+    verdicts = [(_is_gzip(head), len(GZIP)), *((each.matches(head), each.needs) for each in FORMATS)]
+    if any(is_it for is_it, _ in verdicts):
+        return 0
+    undecided = [needs for is_it, needs in verdicts if is_it is None]
+    return max(min(undecided), _LEAST) if undecided else 0
 
 
 class _Source(io.RawIOBase):
@@ -67,8 +53,8 @@ class _Source(io.RawIOBase):
         """Returns the first bytes that tell the format. Call it first before anything is read."""
         if self._first is not None:
             return self._first
-        while _is_undecided(self._head):
-            more = self._read((_MAGIC if len(self._head) < _MAGIC else _MOST_HEAD) - len(self._head))
+        while needs := _needed(self._head):
+            more = self._read(needs - len(self._head))
             if not more:
                 break
             self._head += more
@@ -125,15 +111,12 @@ class CaptureFile:
 
     def packets(self) -> Iterator[Packet]:
         """Yields the packets. Raises CaptureError, if the file is damaged after everything readable."""
-        name = self._format()
-        if name is None:
-            start = self._start().hex(" ").upper()
+        found = self._format()
+        if found is None:
+            start = self._start()[:_LEAST].hex(" ").upper()
             what = f"it begins with {start}" if start else "it is empty"
-            raise CaptureError(
-                f"not a capture file: {what}; expected pcap, pcapng, btsnoop or pklg, compressed with gzip or not"
-            )
-        packets: Reader = import_module(f"{__name__}.{name}").packets
-        return self._unpacked(packets) if self._is_packed else packets(self.contents)
+            raise CaptureError(f"not a capture file: {what}; expected {LISTED}, compressed with gzip or not")
+        return self._unpacked(found) if self._is_packed else found.packets(self.contents)
 
     def close(self) -> None:
         """Closes the stream if it was opened here."""
@@ -148,9 +131,9 @@ class CaptureFile:
     ) -> None:
         self.close()
 
-    def _unpacked(self, reader: Reader) -> Iterator[Packet]:
+    def _unpacked(self, found: Format) -> Iterator[Packet]:
         try:
-            yield from reader(self.contents)
+            yield from found.packets(self.contents)
         except self._gzip_trouble as error:
             raise CaptureError(f"the gzip stream is cut off or damaged: {error}") from None
 
@@ -165,8 +148,9 @@ class CaptureFile:
             raise CaptureError(self._trouble)
         return start
 
-    def _format(self) -> str | None:
-        return _format_of(self._start())
+    def _format(self) -> Format | None:
+        start = self._start()
+        return next((each for each in FORMATS if each.matches(start)), None)
 
 
 def _size(stream: BinaryIO) -> int | None:

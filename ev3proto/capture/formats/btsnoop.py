@@ -6,9 +6,11 @@ import struct
 from collections.abc import Iterator
 from typing import BinaryIO
 
-from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.packets import MOST_PACKET, Format, Interface, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 from ev3proto.tables.carriers import Link
+
+_MAGIC = b"btsnoop\0"
 
 _header = struct.Struct(">8sII")
 """Magic, version, link type."""
@@ -57,3 +59,6 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
         if len(data) < length:
             raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
         position += _record.size + length
+
+
+FORMAT = Format("btsnoop", (".btsnoop", ".cfa", ".log"), len(_MAGIC), begins_with(_MAGIC), packets)

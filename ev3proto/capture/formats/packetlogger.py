@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from io import BufferedReader
 from typing import Any
 
-from ev3proto.capture.packets import Interface, Packet
+from ev3proto.capture.packets import Format, Interface, Packet
 from ev3proto.capture.record import CaptureError
 from ev3proto.tables.carriers import Link
 
@@ -16,7 +16,7 @@ _RECORDS = {order: struct.Struct(f"{order}IIIB") for order in "><"}
 
 _SIZE = _RECORDS[">"].size
 
-SIZE = _SIZE + 4
+_NEEDED = _SIZE + 4
 """Bytes that tell whether a file has this format: the first record, and the header of the packet in it."""
 
 _LENGTH, _SECOND = 4, 1_000_000
@@ -42,9 +42,9 @@ _SIZES[3] = _SIZES[2]
 _direction = struct.Struct(">IB")
 
 
-def order_of(head: bytes) -> str | None:
+def _order_of(head: bytes) -> str | None:
     """Returns the byte order of a file by the head of its first record; None for other files."""
-    for order, record in _RECORDS.items() if len(head) >= SIZE else ():
+    for order, record in _RECORDS.items() if len(head) >= _NEEDED else ():
         length, seconds, microseconds, kind = record.unpack_from(head)
         is_time = seconds >= _OLDEST and microseconds < _SECOND
         size = _SIZES[kind](head[_SIZE:]) if kind in _SIZES else length - _LEAST
@@ -55,10 +55,17 @@ def order_of(head: bytes) -> str | None:
     return None
 
 
+def _matches(head: bytes) -> bool | None:
+    """Returns whether a file begins with such a record; None for too few bytes. Unlike texts, records have zeros."""
+    if len(head) < _NEEDED:
+        return None if not head or b"\0" in head else False
+    return _order_of(head) is not None
+
+
 def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
     """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     interface = Interface(Link.HCI_WITH_DIRECTION)
-    order = order_of(stream.peek(SIZE))
+    order = _order_of(stream.peek(_NEEDED))
     record = _RECORDS[order or ">"]
     number = position = 0
     while head := stream.read(_SIZE):
@@ -80,3 +87,6 @@ def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
         if len(data) < size:
             raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {size} bytes are there")
         position += _SIZE + size
+
+
+FORMAT = Format("pklg", (".pklg",), _NEEDED, _matches, packets)

@@ -9,7 +9,7 @@ import io
 import struct
 from collections.abc import Iterator
 
-from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.packets import MOST_PACKET, Format, Interface, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 
 MICROSECONDS, NANOSECONDS = 0xA1B2C3D4, 0xA1B23C4D
@@ -75,3 +75,12 @@ def _continued(stream: io.BufferedIOBase, rest: bytes, needed: int) -> bytes:
     """Returns the rest of a chunk with the next bytes: at least the needed number, unless the file ends."""
     piece = rest + stream.read1(_PIECE)
     return piece if len(piece) >= needed else piece + stream.read(needed - len(piece))
+
+
+FORMAT = Format(
+    "pcap",
+    (".pcap", ".cap"),
+    4,
+    begins_with(*(magic.to_bytes(4, order) for magic in (MICROSECONDS, NANOSECONDS) for order in ("big", "little"))),
+    packets,
+)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import BinaryIO, NamedTuple
 
-from ev3proto.capture.packets import MOST_PACKET, Interface, Packet
+from ev3proto.capture.packets import MOST_PACKET, Format, Interface, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 
 SECTION, INTERFACE, SIMPLE_PACKET, PACKET = 0x0A0D0D0A, 1, 3, 6
@@ -190,3 +190,6 @@ def _section(mark: bytes, at: int) -> _Section:
     if mark not in _ORDERS:
         raise CaptureError(f"the file is damaged at offset {at + 8}: a section has no byte order mark")
     return _Section(_ORDERS[mark])
+
+
+FORMAT = Format("pcapng", (".pcapng",), len(_MAGIC), begins_with(_MAGIC), packets)

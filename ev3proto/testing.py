@@ -48,6 +48,7 @@ from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.functions import drafts
 from ev3proto.tables import AREAS, area_of, check_dialect, daisy
 from ev3proto.tables import operations as operations_of
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import (
     BITS,
@@ -732,8 +733,8 @@ def _accepted_values(parameter: Parameter) -> SearchStrategy[Any]:
     return st.one_of(*constants, variables)
 
 
-def _is_accepted(frame: bytes, dialect: str) -> bool:
-    return not check(frame, dialect=dialect).errors
+def _is_accepted(frame: bytes, dialect: str, *carriers: str | None) -> bool:
+    return not any(check(frame, dialect=dialect, carrier=carrier).errors for carrier in carriers)
 
 
 def _command(operations: list[Draft], counter: int = 0, reply: bool | None = None) -> bytes:
@@ -752,10 +753,12 @@ def _accepted_operations(draw: DrawFn, dialect: str, names: Names) -> Draft | No
         found = drafts(dialect)[declaration.name].draft(_values(draw, declaration, _accepted_values), unchecked=False)
     except BuildError:
         return None
-    return found if _is_accepted(_command([found]), dialect) else None
+    return found if _is_accepted(_command([found]), dialect, None) else None
 
 
-def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[bytes]:
+def accepted_frames(
+    dialect: str = "official", chosen: Choice = ALL, carrier: str | None = None
+) -> SearchStrategy[bytes]:
     """Returns commands that the brick accepts: `check` finds no errors in them, at most warnings and hints.
 
     Jumps lead to the end of the command, arguments have their shortest encoding, variables their place from `command`.
@@ -763,9 +766,10 @@ def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
     Args:
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
         chosen: Which frames, as for `frames`; replies are omitted.
+        carrier: "usb", "bluetooth" or "wifi": what carries them; None for commands that each of them can carry.
 
     Raises:
-        ValueError: Only replies were chosen.
+        ValueError: Only replies were chosen, or the carrier is unknown.
     """
     ways: list[SearchStrategy[bytes]] = []
     if chosen.of(*_DIRECT_COMMANDS):
@@ -778,7 +782,8 @@ def accepted_frames(dialect: str = "official", chosen: Choice = ALL) -> SearchSt
         ways.append(_daisy_commands(dialect, chosen))
     if not ways:
         raise ValueError("the brick accepts only commands, but all chosen messages are replies")
-    return st.one_of(ways).filter(lambda frame: _is_accepted(frame, dialect))
+    carriers = CARRIERS if carrier is None else (carrier,)
+    return st.one_of(ways).filter(lambda frame: _is_accepted(frame, dialect, *carriers))
 
 
 # Faulty frames

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
+from functools import partial
 from itertools import islice
 
 import click
@@ -15,6 +16,7 @@ from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
 from ev3proto.schema.frame import parse
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.forms import as_hex
 from ev3proto.text.phrases import Seen
 
@@ -35,6 +37,11 @@ MOST_SEEDS = 1 << 64
 @click.option("--area", "areas", multiple=True, type=AREA, metavar="AREA", help=f"Only operations {AREAS_HELP}")
 @click.option("--type", "types", multiple=True, metavar="TYPE", help="Only DIRECT_REPLY, or the kind direct-reply.")
 @click.option("--accepted", is_flag=True, help="Only commands in which `check` finds no errors.")
+@click.option(
+    "--carrier",
+    type=click.Choice(CARRIERS),
+    help="With --accepted, what carries the frames; by default, each carrier can.",
+)
 @click.option("--mutate", is_flag=True, help="Change, cut or lengthen the frames.")
 @click.option(
     "--format",
@@ -53,6 +60,7 @@ def sample(
     areas: tuple[str, ...],
     types: tuple[str, ...],
     accepted: bool,
+    carrier: str | None,
     mutate: bool,
     style: str,
     dialect: str,
@@ -77,7 +85,9 @@ def sample(
         raise Failure(
             "samples need hypothesis, which is not installed or too old: " + install_command("sample")
         ) from None
-    strategy = mutated_frames if mutate else accepted_frames if accepted else frames
+    if carrier is not None and not accepted:
+        raise click.UsageError("--carrier belongs to --accepted")
+    strategy = mutated_frames if mutate else partial(accepted_frames, carrier=carrier) if accepted else frames
     try:
         found = samples(strategy(dialect, choice(names=names, areas=areas, types=types, dialect=dialect)), seed)
     except ValueError as error:

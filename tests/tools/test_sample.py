@@ -23,6 +23,7 @@ from ev3proto.cli.sample import sample
 from ev3proto.extras import install_command
 from ev3proto.sampling import samples
 from ev3proto.tables import OPCODES, area_of, operations
+from ev3proto.tables.carriers import CARRIERS
 from ev3proto.testing import accepted_frames, choice, frames, values_for
 
 ROOT = Path(__file__).parents[2]
@@ -194,6 +195,15 @@ def test_accepted_frames_have_operations_of_every_name() -> None:
     for name in operations("official"):
         found = islice(samples(accepted_frames(chosen=choice(names=[name], types=["direct-command"])), 1), 1)
         assert (next(found, None) is None) == (name in refused), name
+
+
+def test_accepted_frames_are_accepted_by_every_carrier() -> None:
+    """As `check` judges with --carrier: the commands of the updater reach a brick only by USB."""
+    frames = [frame_of(line) for line in run("--accepted", "-n", "100", "--seed", "1").stdout.splitlines()]
+    assert [frame for frame in frames for carrier in CARRIERS if ev3proto.check(frame, carrier=carrier).errors] == []
+    updater = run("--accepted", "-n", "5", "--op", "BEGIN_DOWNLOAD_WITH_ERASE", "--carrier", "usb")
+    assert len(updater.stdout.splitlines()) == 5
+    assert "Error: --carrier belongs to --accepted" in run("--carrier", "usb").output
 
 
 def test_check_counts_no_errors_in_accepted_frames() -> None:

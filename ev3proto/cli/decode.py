@@ -60,7 +60,7 @@ class _Decoding:
                 for record in filter(None, pair):
                     self._complain_of(record)
             if before == (self._show.count, self.problems.errors):
-                self.problems.show(part.nothing(is_filtered=chosen is not None))
+                self.problems.show(part.nothing(chosen))
 
     def programs(self) -> None:
         """Shows the programs that captures transfer."""

@@ -60,7 +60,7 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
     drawn = collect(events, reading.filter, Window(first, last))
     if drawn is None:
         nothing = _nothing(captures.label, first, last, is_timed=is_timed)
-        problems.end_without(nothing + captures.passed_over)
+        problems.end_without(nothing + reading.hint + captures.passed_over)
     if not put(render(drawn, form, title_of(captures)), output):
         sys.exit(1)
     say(f"{output}: written")

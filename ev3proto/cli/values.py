@@ -68,7 +68,7 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
         kept = f"{MOST_CELLS:,} cells are kept; --filter chooses others"
         problems.wrong(f"{counted(found.omitted, 'row')} omitted: {kept}")
     if not found.rows:
-        problems.end_without(f"{captures.label}: no reply with its command found{captures.passed_over}")
+        problems.end_without(f"{captures.label}: no reply with its command found{reading.hint}{captures.passed_over}")
     start = captures.account.first_ns or 0
     found = _narrowed(found, "csv" if as_csv else "json" if as_json else "")
     if plot is not None:

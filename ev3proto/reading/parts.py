@@ -28,6 +28,7 @@ from ev3proto.text.paste import Pasted
 
 if TYPE_CHECKING:
     from ev3proto.capture import Capture
+    from ev3proto.capture.filter import Filter
     from ev3proto.capture.formats import CaptureFile
 
 MOST_SKIPPED = 10
@@ -76,13 +77,13 @@ class Part:
         """Returns the place of a record by its number."""
         return Place(self.label, line=number) if self.is_text else Place(self.label, packet=number)
 
-    def nothing(self, *, is_filtered: bool = False) -> Problem:
+    def nothing(self, chosen: Filter | None = None) -> Problem:
         """Returns the problem that nothing that is wanted is in the source, or that nothing matches a filter."""
-        is_filtered, account = is_filtered or self._options.filter is not None, self.account
-        if self.is_text and not is_filtered and not account.frames:
+        chosen, account = chosen or self._options.filter, self.account
+        if self.is_text and chosen is None and not account.frames:
             return self._texts.nothing()
-        matches = " matches the filter" if is_filtered else ""
-        code = ProblemCode.NO_MATCH if is_filtered and account.frames + account.texts else ProblemCode.EMPTY
+        matches = f" matches the filter{chosen.hint}" if chosen is not None else ""
+        code = ProblemCode.NO_MATCH if chosen is not None and account.frames + account.texts else ProblemCode.EMPTY
         return Problem(self._place, code, f"no {self._options.wanted} in {self.extent}{matches}{self.passed_over}")
 
     @property

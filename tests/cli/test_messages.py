@@ -120,6 +120,16 @@ OF_THE_INPUT = {
     "encode short.rbf": "short.rbf: this is a program image (.rbf); `ev3proto decode` shows it",
     "stats short.rbf": "short.rbf: this is a program image (.rbf); `ev3proto decode` shows it",
     f"decode {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no frame in 58 packets matches the filter",
+    f"decode {CAPTURE} --filter latency>10": (
+        f"{CAPTURE}: no frame in 58 packets matches the filter; a number without a unit is in seconds: 10ms"
+    ),
+    f"decode {CAPTURE} --dialogues --filter latency>10": (
+        f"{CAPTURE}: no frame in 58 packets matches the filter; a number without a unit is in seconds: 10ms"
+    ),
+    f"decode {CAPTURE} --filter latency>10s": f"{CAPTURE}: no frame in 58 packets matches the filter",
+    f"values {CAPTURE} --filter latency>10": (
+        f"{CAPTURE}: no reply with its command found; a number without a unit is in seconds: 10ms"
+    ),
     f"check {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no command in 58 packets matches the filter",
     "replay hello.txt --to virtual": "hello.txt: no command found",
     "values log.txt": "log.txt: no reply with its command found",

@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.filter.names import find_name
-from ev3proto.capture.filter.values import TIME_UNITS, FilterError, FilterValue, Name, Test, Word
+from ev3proto.capture.filter.values import SECONDS, TIME_UNITS, FilterError, FilterValue, Name, Test, Word
 from ev3proto.capture.record import NANOSECONDS, Record
 
 MAX_LENGTH = 4096
@@ -80,6 +80,8 @@ class Filter:
         # it uses names that are known only after a command's reply (`unanswered`, `failed`, `late`): test records of a
         # capture that was read to its end, or use `Choosing`
         self.looks_ahead = parser.looks_ahead
+        # why nothing may match, as the end of a sentence; often empty
+        self.hint = parser.hint
 
     def __call__(self, record: Record) -> bool:
         """Tells whether a record matches."""
@@ -128,6 +130,7 @@ class _Parser:
 
     def __init__(self, text: str, time: Callable[[Record], float]) -> None:
         self.looks_ahead = False  # a name was used that is known only after the reply
+        self.hint = ""
         self._text = text
         self._time = time
         self._at = 0
@@ -189,8 +192,8 @@ class _Parser:
         if relation:
             sign, value = _WORDS.get(relation[0].lower(), relation[0].lower()), self._value()
             if sign != "!=":
-                return _some(name, name.kind.test(word.text, sign, value))
-            equal = name.kind.test(word.text, "==", value)
+                return _some(name, self._test(word.text, name, sign, value))
+            equal = self._test(word.text, name, "==", value)
             return lambda records: bool(values := _values(name, records)) and not any(map(equal, values))
         if self._take(_IN):
             return self._membership(word.text, name)
@@ -216,12 +219,18 @@ class _Parser:
         word = self._value()
         low, dots, high = word.text.partition("..")
         if word.is_quoted or not dots:
-            return name.kind.test(text, "==", word)
+            return self._test(text, name, "==", word)
         if not low or not high:
             raise word.error(f"a range needs a number on each side of the dots, not {word.text}")
-        start = name.kind.test(text, ">=", Word(low, word.column))
-        stop = name.kind.test(text, "<=", Word(high, word.column + len(low) + len(dots)))
+        start = self._test(text, name, ">=", Word(low, word.column))
+        stop = self._test(text, name, "<=", Word(high, word.column + len(low) + len(dots)))
         return lambda held: start(held) and stop(held)
+
+    def _test(self, text: str, name: Name, sign: str, word: Word) -> Test:
+        """Makes a test; a time without a unit is a likely reason for finding nothing, as milliseconds are shown."""
+        if name.kind.units == SECONDS and word.number:
+            self.hint = f"; a number without a unit is in seconds: {word.text}ms"
+        return name.kind.test(text, sign, word)
 
     def _value(self) -> Word:
         found = self._take(_VALUE) or self._fail("a value")

@@ -15,7 +15,7 @@ from typing import Any
 
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.filter.fields import PATH, command_names, find_field, is_parameter, operation_names, places_of
-from ev3proto.capture.filter.values import FilterValue, Kind, Name, Word
+from ev3proto.capture.filter.values import SECONDS, FilterValue, Kind, Name, Word
 from ev3proto.capture.record import NANOSECONDS, Direction, Record
 from ev3proto.errors import near_misses
 from ev3proto.messages import DaisyCommand, Message, Operation, SystemCommand, SystemReply
@@ -162,7 +162,7 @@ def _flag(is_true: Callable[[Record], bool], text: str, example: str, looks_ahea
 
 
 _NUMBER = Kind("a number", number=True)
-_DURATION = Kind("a time in seconds, such as 4ms", number=True, units=("s",), is_exact=True)
+_DURATION = Kind("a time in seconds, such as 4ms", number=True, units=SECONDS, is_exact=True)
 _BARE_TEXT = Kind("a text", text=True, is_bare=True)
 
 

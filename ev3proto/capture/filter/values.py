@@ -20,6 +20,9 @@ from ev3proto.tables.encoding import STRING_CODING
 TIME_UNITS = {"ns": 1, "us": 10**3, "µs": 10**3, "ms": 10**6, "s": 10**9, "min": 60 * 10**9}
 """Nanoseconds in each unit of time."""
 
+SECONDS = ("s",)
+"""The units of times."""
+
 _MOST_LISTED = 16
 """Maximum number of names that an error lists in full."""
 

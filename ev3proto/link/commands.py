@@ -16,7 +16,7 @@ from ev3proto.errors import BuildError
 from ev3proto.link.errors import DirectCommandError, SystemCommandError
 from ev3proto.messages import DirectCommand, Message, Operation, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, write_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, write_memory
 from ev3proto.semantics.replies import Value, values_of
 from ev3proto.tables.frame import DIRECT_COMMAND_TYPES, LENGTH_FIELD, SYSTEM_COMMAND_TYPES, MessageType
 from ev3proto.tables.system import SystemStatus
@@ -90,6 +90,11 @@ def counter_of(given: bytes | int) -> int:
 def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMode, dialect: str) -> Prepared:
     """Prepares a direct command; operations request the memory they need if it is 0. Raises BuildError."""
     if isinstance(operations, bytes | bytearray):
+        if _is_whole_frame(bytes(operations), dialect):
+            raise BuildError(
+                "these bytes are a whole frame, with length and counter; expected only its operations, or"
+                " ev3proto.parse(frame)"
+            )
         body = write_memory(global_mem, local_mem) + bytes(operations)
         return _direct(body, bool(global_mem), mode, is_named=False, dialect=dialect)
     if isinstance(operations, DirectCommand):
@@ -111,6 +116,14 @@ def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, d
         raise BuildError("a command needs at least one operation: the brick refuses an empty one")
     asks = has_globals or mode is SyncMode.SYNC
     return Prepared(DIRECT_COMMAND_TYPES[asks], body, asks and mode is not SyncMode.ASYNC, is_named, dialect)
+
+
+def _is_whole_frame(data: bytes, dialect: str) -> bool:
+    """Returns whether bytes are exactly one direct command in which `check` finds no error."""
+    if len(data) < HEADER_SIZE or frame_size(data) != len(data):
+        return False
+    message = parse(data, strict=False, dialect=dialect)
+    return isinstance(message, DirectCommand) and not check(data, dialect=dialect).errors
 
 
 def _listed(operations: object) -> tuple[Draft | Operation | Label, ...]:

@@ -66,7 +66,7 @@ class Verbs(ABC, Generic[Bytes, Values]):
             message counter, as two bytes.
 
         Raises:
-            BuildError: No frame can carry the command.
+            BuildError: No frame can carry the command, or the bytes are a whole frame.
             DirectCommandError: The brick refused the command, or it failed; the message has the report of `check`.
             NoAnswerError: The reply did not come in time.
             ConnectionLostError: The connection is lost.

@@ -73,6 +73,19 @@ def test_async_waits_when_it_is_asked_to(my_ev3: EV3) -> None:
         my_ev3.wait_for_reply(first)
 
 
+def test_a_whole_frame_is_not_sent_as_operations(my_ev3: EV3) -> None:
+    frame = bytes.fromhex("0800 2a00 00 0100 8112 60")
+    with pytest.raises(ValueError, match=r"^these bytes are a whole frame, with length and counter; expected only its"):
+        my_ev3.send_direct_cmd(frame, global_mem=1)
+    message = ev3proto.parse(frame)
+    assert isinstance(message, ev3proto.DirectCommand)
+    (value,) = my_ev3.send_direct_cmd(message)
+    assert value.name == "PCT"
+    for almost in (frame + NOP, bytes.fromhex("0900") + frame[2:], bytes.fromhex("0700 2a00 00 0100 81 60")):
+        with pytest.raises(ev3proto.DirCmdError):
+            my_ev3.send_direct_cmd(almost, global_mem=1)
+
+
 def test_system_commands_in_bytes(my_ev3: EV3) -> None:
     assert my_ev3.send_system_cmd(ev3proto.CREATE_DIR + b"/home/root/lms2012/prjs/a\0") == b"\0"
     with pytest.raises(ev3proto.SysCmdError, match="CREATE_DIR with NO_PERMISSION: it cannot be created: it exists,"):

@@ -77,13 +77,17 @@ def texts_of_benchmarks() -> Iterator[str]:
     yield from (line.format(7) for line in LINES.values())
 
 
+def _shown(piece: Pasted) -> dict[str, Any]:
+    return {name: value for name, value in piece._asdict().items() if value}
+
+
 def result(text: str) -> list[Any]:
     """Returns what is read from a text, and from one line as an argument of a command line."""
     try:
-        found = [list(piece) for piece in read_text(text.splitlines(keepends=True))]
-        argument = [list(read_argument(text))] if text.count("\n") <= 1 and len(text) < LONGEST else []
+        found = [_shown(piece) for piece in read_text(text.splitlines(keepends=True))]
+        argument = [_shown(read_argument(text))] if text.count("\n") <= 1 and len(text) < LONGEST else []
     except Exception as error:  # the fault of the code that is tried
-        found, argument = [[repr(error)]], []
+        found, argument = [{"error": repr(error)}], []
     return json.loads(json.dumps([found, argument], default=bytes.hex))
 
 
@@ -98,6 +102,12 @@ def make(record: Path, more: list[Path]) -> None:
     print(f"{len(texts)} texts")
 
 
+def _differences(before: list[Any], now: list[Any]) -> Iterator[str]:
+    for kind, old, new in zip(("text", "argument"), before, now, strict=True):
+        yield from (f"- {kind} {one}" for one in old if one not in new)
+        yield from (f"+ {kind} {one}" for one in new if one not in old)
+
+
 def compare(record: Path) -> int:
     """Shows what differs from the record, and returns in how many texts."""
     count = 0
@@ -106,10 +116,7 @@ def compare(record: Path) -> int:
         if (now := result(text)) != before:
             count += 1
             if count <= MOST_SHOWN:
-                print(f"--- {text[:600]!r}")
-                for kind, old, new in zip(("text", "argument"), before, now, strict=True):
-                    for sign, pieces, others in (("-", old, new), ("+", new, old)):
-                        print(*(f"{sign} {kind} {one}" for one in pieces if one not in others), sep="\n", end="\n")
+                print(f"--- {text[:600]!r}", *_differences(before, now), sep="\n")
     print(f"{count} texts differ")
     return count
 

@@ -37,6 +37,19 @@ _BESIDE = (
     r"\b(?:debug|info|notice|warning|error|trace|data|raw|hex|frame|packet|payload|message"
     r"|bytearray|(?:\d{1,7}\s{1,4})?bytes?)\b"
 )
+_LABEL = re.compile(
+    r"(?<![\w.])(?:\d{1,3}(?:\.\d{1,3}){3}(?::\d+)?|[\da-f]{2}(?:[:-][\da-f]{2}){5}|(?<=\()\d{1,5}(?=,)"
+    r"|/?[^\W\d](?<!\d\s[vdiwef])[\w./@-]*+(?<=\w)(?:[ #:]\d{1,3}(?![\w.]|:\d))?+(?!\((?!\s*\d)))",
+    re.IGNORECASE,
+)
+"""A part of a label: an address, a file number in a call of C, a word with a number; no level of logcat."""
+_LEVEL = re.compile("^[VDIWEF]/")
+_NO_LABEL = re.compile(
+    r"(?i:to|from|by|via|on|at|for|with|the|log|debug|info|notice|warn(?:ing)?|error|trace|verbose|data|raw|hex|bytes?"
+    r"|bytearray|buffer|uint8array|len(?:gth)?|size|frame|packet|payload|message)"
+)
+_MOST_LABEL = 4
+"""Words of a label; prose has more."""
 _MOST_HEAD = 200
 """Characters of a line without bytes that speaks of the next lines."""
 _MOST_DATE = 16
@@ -64,11 +77,12 @@ def _patterns() -> _Patterns:
 
 
 class Head(NamedTuple):
-    """What is said of bytes. An arrow says only that it is the one or the other."""
+    """What is said of bytes. An arrow says only that it is the one or the other; a label names the connection."""
 
     direction: Direction | None = None
     time: str | None = None
     arrow: str = ""
+    label: str | None = None
 
     @property
     def is_log(self) -> bool:
@@ -94,7 +108,19 @@ def head_of(text: str) -> Head:
         arrow = word[0].strip()
     elif word is not None:
         direction = "sent" if word["sent"] else "received"
-    return Head(direction, time and time[0], arrow)
+    return Head(direction, time and time[0], arrow, _label_in(text, time, word))
+
+
+def _label_in(text: str, time: re.Match[str] | None, word: re.Match[str] | None) -> str | None:
+    """Returns what a text names beside the direction, such as `leader` or `/dev/rfcomm0`, without times and levels."""
+    if word is None:
+        return None
+    for found in (time, word):
+        text = text if found is None else text[: found.start()] + "\n" * len(found[0]) + text[found.end() :]
+    parts = [_LEVEL.sub("", part) for part in _LABEL.findall(text) if not _NO_LABEL.fullmatch(part)]
+    if word["arrow"]:
+        parts.sort()  # `PC -> A` and `A -> PC`
+    return " ".join(parts) if 0 < len(parts) <= _MOST_LABEL else None
 
 
 def announced(line: str) -> Head:

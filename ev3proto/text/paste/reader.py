@@ -326,6 +326,7 @@ class Reader:
             head.time or above.time,
             column=first.start + 1,
             unknown=unknown,
+            label=head.label or above.label,
         )
 
 

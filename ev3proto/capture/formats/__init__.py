@@ -17,7 +17,7 @@ from ev3proto.capture.packets import Format, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 
 FORMATS = tuple(each.FORMAT for each in (pcap, pcapng, btsnoop, packetlogger, usbmon_text, hcidump))
-"""All formats. To add one, write its module and add it here."""
+"""All formats. A file has the first that matches. To add one, write its module and add it here."""
 
 _NAMES = [each.name for each in FORMATS if each.is_read]
 LISTED = f"{', '.join(_NAMES[:-1])} or {_NAMES[-1]}"
@@ -31,10 +31,12 @@ _LEAST = 8
 
 def _needed(head: bytes) -> int:
     """Returns the number of first bytes that may tell the format; 0 if these do, or no more can."""
-    verdicts = [(_is_gzip(head), len(GZIP)), *((each.matches(head), each.needs) for each in FORMATS)]
-    if any(is_it for is_it, _ in verdicts):
-        return 0
-    undecided = [needs for is_it, needs in verdicts if is_it is None]
+    undecided: list[int] = []
+    for matches, needs in ((_is_gzip, len(GZIP)), *((each.matches, each.needs) for each in FORMATS)):
+        is_it = matches(head)
+        if is_it:
+            break
+        undecided += [needs] if is_it is None else []
     return max(min(undecided), _LEAST) if undecided else 0
 
 

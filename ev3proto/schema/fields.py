@@ -118,14 +118,6 @@ class Fields:
         self._refuse_unknown(value)
         return b"".join(self._piece(field, value[field.name], value) for field in self.fields if field.name in value)
 
-    def sizes(self, value: Mapping[str, Any]) -> dict[str, int]:
-        """Returns the number of bytes of each of the given fields by name, in the order of the frame.
-
-        Args:
-            value: Values by field name, possibly only the first few.
-        """
-        return {one.name: len(self._piece(one, value[one.name], value)) for one in self.fields if one.name in value}
-
     def completed(self, value: Mapping[str, Any]) -> dict[str, Any]:
         """Computes omitted lengths, and the bytes of a mailbox's message.
 

@@ -7,7 +7,7 @@ import struct
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.messages import DirectCommand, DirectReply, Message, SystemReply
+from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand, SystemReply
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, results
@@ -93,24 +93,25 @@ def values_of(reply: Message, request: Message | None) -> list[Value]:
         kind.
     """
     if isinstance(reply, SystemReply):
-        return list(system_values(reply))
+        return list(field_values(reply))
     if isinstance(reply, DirectReply) and isinstance(request, DirectCommand):
         return list(reply_values(request, reply))
     return []
 
 
-def system_values(reply: SystemReply) -> Iterator[Value]:
-    """Yields the fields of a system reply as values."""
-    entry = SYSTEM_BY_NUMBER.get(reply.number)
+def field_values(message: SystemCommand | SystemReply) -> Iterator[Value]:
+    """Yields the fields of a system message as values, each with its place in the frame."""
+    entry = SYSTEM_BY_NUMBER.get(message.number)
     if entry is None:
         return
-    at = HEADER_SIZE + 2
-    for declared in entry.reply:
-        if declared.name not in reply.fields:
+    is_reply = isinstance(message, SystemReply)
+    at = HEADER_SIZE + 1 + is_reply
+    for declared in entry.reply if is_reply else entry.request:
+        if declared.name not in message.fields:
             continue
-        value = reply.fields[declared.name]
+        value = message.fields[declared.name]
         length = _LENGTHS.get(declared.kind, 0) or len(value) + (declared.kind in _TERMINATED)  # type: ignore[arg-type]
-        yield Value(reply.command or "", None, declared.name, value, None, declared.kind.value, None, at, length)
+        yield Value(message.command or "", None, declared.name, value, None, declared.kind.value, None, at, length)
         at += length
 
 

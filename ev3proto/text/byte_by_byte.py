@@ -12,13 +12,13 @@ from ev3proto.messages import (
     DaisyReply,
     DirectCommand,
     DirectReply,
-    FieldValue,
     Message,
     Operation,
     SystemCommand,
     SystemReply,
 )
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.semantics.replies import Value, field_values
 from ev3proto.tables.encoding import (
     ADDRESS_BIT,
     ENCODINGS,
@@ -32,8 +32,6 @@ from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD, TYPE_MEANINGS
 from ev3proto.text.phrases import (
     argument_value,
     command_name,
-    field_places,
-    field_texts,
     plain,
     short_text,
     status_name,
@@ -115,17 +113,18 @@ def _lines(message: Message, frame: bytes) -> Iterator[tuple[int, list[str]]]:
         case DaisyCommand() | DaisyReply():
             yield end, _counted(len(message.payload), "the payload")
         case SystemCommand() | SystemReply():
-            for (name, text, _), (_, offset, size) in zip(field_texts(message), field_places(message), strict=True):
-                yield offset, _field(message.fields[name], frame[offset : offset + size], name, text)
+            yield from ((value.offset, _field(value, frame)) for value in field_values(message))
     for operation in message.operations if isinstance(message, DirectCommand | DaisyCommand) else ():
         yield from _operation(operation, frame)
 
 
-def _field(value: FieldValue, data: bytes, name: str, text: str) -> list[str]:
-    if isinstance(value, bytes):
-        return _counted(len(data), name)
-    told = _letters if isinstance(value, str) else _numbered
-    return told(data, f"{name} = {short_text(text)}")
+def _field(field: Value, frame: bytes) -> list[str]:
+    """Returns a line for each byte of a field."""
+    if isinstance(field.value, bytes):
+        return _counted(field.length, field.name)
+    told = _letters if isinstance(field.value, str) else _numbered
+    data = frame[field.offset : field.offset + field.length]
+    return told(data, f"{field.name} = {short_text(plain(field.value))}")
 
 
 def _operation(operation: Operation, frame: bytes) -> Iterator[tuple[int, list[str]]]:

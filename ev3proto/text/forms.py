@@ -19,8 +19,9 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.semantics.replies import field_values
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.phrases import Seen, argument_value, field_places, field_texts, heading
+from ev3proto.text.phrases import Seen, argument_value, field_texts, heading
 from ev3proto.text.spans import plain_text
 
 _BYTES_A_LINE = 12
@@ -110,8 +111,8 @@ def _body(message: Message) -> Iterator[tuple[int, str]]:
 
 
 def _fields(message: SystemCommand | SystemReply) -> Iterator[tuple[int, str]]:
-    for (name, text, meaning), (_, _, size) in zip(field_texts(message), field_places(message), strict=True):
-        yield size, f"{name} {text} ({meaning})" if meaning else f"{name} {text}"
+    for (name, text, meaning), value in zip(field_texts(message), field_values(message), strict=True):
+        yield value.length, f"{name} {text} ({meaning})" if meaning else f"{name} {text}"
 
 
 def _told(operation: Operation) -> str:

@@ -21,9 +21,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.mailboxes import Reading
@@ -91,15 +89,6 @@ def field_texts(message: SystemCommand | SystemReply) -> Iterator[tuple[str, str
     meaning = " or ".join(f"{kind} {reading_text(value)}" for kind, value in found.items())
     for name, value in message.fields.items():
         yield name, plain(value), meaning if isinstance(value, bytes) else ""
-
-
-def field_places(message: SystemCommand | SystemReply) -> Iterator[tuple[str, int, int]]:
-    """Yields the name of each field of a system message, its offset in the frame and its number of bytes."""
-    is_reply = isinstance(message, SystemReply)
-    schema, at = (REPLIES if is_reply else REQUESTS).get(message.number), HEADER_SIZE + 1 + is_reply
-    for name, size in schema.sizes(message.fields).items() if schema is not None else ():
-        yield name, at, size
-        at += size
 
 
 def command_name(message: SystemCommand | SystemReply | DaisyCommand) -> str:

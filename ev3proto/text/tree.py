@@ -17,7 +17,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.replies import guesses
+from ev3proto.semantics.replies import field_values, guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, STRING_CODING, TEXT
@@ -26,7 +26,6 @@ from ev3proto.text.phrases import (
     Seen,
     argument_meaning,
     argument_value,
-    field_places,
     field_texts,
     heading,
     plain,
@@ -127,15 +126,15 @@ def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unk
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
         yield Line([(f"        {meaning}", Role.MEANING)])
     width = max((len(name) for name in message.fields), default=0)
-    for (name, value, meaning), (_, offset, size) in zip(field_texts(message), field_places(message), strict=True):
+    for (name, value, meaning), found in zip(field_texts(message), field_values(message), strict=True):
         spans = [
             ("        ", Role.PLAIN),
             (name.ljust(width), Role.NAME),
             (" = ", Role.PLAIN),
-            (value if unknown.isdisjoint(range(offset, offset + size)) else "?", Role.VALUE),
+            (value if unknown.isdisjoint(range(found.offset, found.offset + found.length)) else "?", Role.VALUE),
             (f"  {meaning}" if meaning else "", Role.MEANING),
         ]
-        yield Line(spans, offset, size)
+        yield Line(spans, found.offset, found.length)
     if transfer is not None and transfer.path:
         of = "an unknown number of" if transfer.size is None else str(transfer.size)
         progress = f"{transfer.transferred} of {of} bytes"

@@ -1,4 +1,4 @@
-"""`ev3proto decode`: frames in any form, captures and programs, as tree, table, assembly or JSON."""
+"""`ev3proto decode`: frames in any form, captures and programs, in every format."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.capture.record import Announcement, Record
+from ev3proto.cli.formats import FORMATS, Format, made
 from ev3proto.cli.options import exclusive
 from ev3proto.cli.reading import Captured, Problems, named, reading_options
-from ev3proto.cli.show import FORMATS, Dialogues, Show, matching
+from ev3proto.cli.show import Dialogues, matching
 from ev3proto.reading.faults import Faults
 from ev3proto.reading.items import Event, Image, Source
 from ev3proto.reading.options import Options, Sources
@@ -21,14 +22,11 @@ from ev3proto.reading.parts import Reading
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter
 
-PROGRAM_FORMATS = ("listing",)
-"""Formats for programs only."""
-
 
 class _Decoding:
     """Shows what is read."""
 
-    def __init__(self, show: Show, reading: Reading) -> None:
+    def __init__(self, show: Format, reading: Reading) -> None:
         self._show = show
         self._reading = reading
         self._dialect = reading.options.dialect
@@ -44,10 +42,7 @@ class _Decoding:
                 self._show.announcement(event, start_ns)
             elif isinstance(event, Record):
                 is_text = event.written is not None and not is_filtered
-                if is_text:
-                    self._show.exchange(event.exchange, event.seen, event.rest)
-                else:
-                    self._show.record(event, start_ns)
+                self._show.record(event, None if is_text else start_ns)
                 self._complain_of(event, is_text=is_text)
 
     def dialogues(self, chosen: Filter | None) -> None:
@@ -125,7 +120,7 @@ class _Decode(click.Command):
 @click.option(
     "--format",
     "style",
-    type=click.Choice((*FORMATS, *PROGRAM_FORMATS)),
+    type=click.Choice(tuple(FORMATS)),
     help="How to show messages (default: tree) and programs (default: listing); `encode` reads asm, lego and json.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line, as --format json.")
@@ -155,6 +150,7 @@ def decode(
       ev3proto decode "0x|0E:00|2A:00|80|00:00|94|01|01|82:B8:01|82:E8:03|"
       ev3proto decode 0e 00 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03
       ev3proto decode --format table robot.log
+      ev3proto decode --format csv robot.pcapng > robot.csv
       ev3proto decode --format lego robot.log
       ev3proto decode --dialogues --filter 'op==SOUND && VOLUME>1' robot.pcapng
       ev3proto decode --format lego robot.rbf
@@ -166,7 +162,7 @@ def decode(
         options = replace(options, filter=None)
     if as_programs:
         options = replace(options, wanted="program")
-    decoding = _Decoding(Show("json" if as_json else style), Reading(named(names), options))
+    decoding = _Decoding(made("json" if as_json else style), Reading(named(names), options))
     if as_programs:
         decoding.programs()
     elif as_dialogues:

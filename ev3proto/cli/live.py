@@ -12,9 +12,10 @@ from ev3proto.capture.dialogues import RequestReply, dialogues
 from ev3proto.capture.record import Announcement, CaptureError, Record, Skipped, TextKind
 from ev3proto.checking.report import Severity
 from ev3proto.cli.ending import stopped_by_signals
+from ev3proto.cli.formats import made
 from ev3proto.cli.output import complain, failing_on
 from ev3proto.cli.reading import reading_options
-from ev3proto.cli.show import Dialogues, Show
+from ev3proto.cli.show import Dialogues
 from ev3proto.pyshark.tshark import Run, Tshark
 from ev3proto.reading.given import Given
 from ev3proto.reading.items import Event, Problem, ProblemCode
@@ -95,7 +96,7 @@ class _Watching:
     def __init__(self, reading: Options, *, as_json: bool) -> None:
         self._chosen = reading.filter
         self._as_json = as_json
-        self._show = Show("json" if as_json else "tree", at_once=True)
+        self._show = made("json" if as_json else None, at_once=True)
         self._dialogues = Dialogues(self._show)
         self._start_ns: int | None = None
         self._beacons: set[bytes] = set()

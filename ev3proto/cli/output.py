@@ -6,6 +6,7 @@ characters are escaped, whatever their origin. Both streams may be closed, full,
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import sys
@@ -124,6 +125,39 @@ def say(text: str = "") -> None:
 def say_json(entry: Mapping[str, Any]) -> None:
     """Prints an object for other tools on one line."""
     say(json.dumps(entry, ensure_ascii=False))
+
+
+_FORMULA_MARKS = ("=", "+", "-", "@")
+"""Characters with which a formula begins; the control characters that also count are escaped."""
+
+
+class _Line:
+    """A file for csv.writer, whose `writerow` returns what `write` returns."""
+
+    def write(self, line: str) -> str:
+        return line
+
+
+_csv = csv.writer(_Line(), lineterminator="")
+
+
+def csv_line(cells: Iterable[object]) -> str:
+    """Returns one line of comma-separated values; None is an empty cell, and a float has seven digits.
+
+    A text that a spreadsheet would take for a formula gets an apostrophe in front: it may come from a brick or a
+    capture. Numbers are what they are.
+    """
+    line: str = _csv.writerow(map(_cell, cells))
+    return line
+
+
+def _cell(cell: object) -> object:
+    if isinstance(cell, float):
+        return f"{cell:.7g}"
+    if not isinstance(cell, str):
+        return cell
+    text = visible(cell)
+    return f"'{text}" if text.startswith(_FORMULA_MARKS) else text
 
 
 def draw(lines: Iterable[str]) -> None:

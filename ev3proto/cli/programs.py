@@ -1,4 +1,4 @@
-"""Programs on the command line: reading, showing and assembling images (.rbf) and sources (.lms)."""
+"""Programs on the command line: reading and assembling images (.rbf) and sources (.lms)."""
 
 from __future__ import annotations
 
@@ -8,21 +8,18 @@ from pathlib import Path
 import click
 
 from ev3proto.capture.files import RecoveredFile, recover
-from ev3proto.cli.output import Printer, complain, put, refuse_terminal
+from ev3proto.cli.output import complain, put, refuse_terminal
 from ev3proto.cli.reading import Captured, Problems
 from ev3proto.errors import DecodeError, counted
 from ev3proto.program import Assembled, Program, assemble, parse
-from ev3proto.program.listing import listing, program_json, program_tree
 from ev3proto.program.sources import MAX_SOURCE
-from ev3proto.program.writing import source_lines
 from ev3proto.reading.given import Given
 from ev3proto.reading.items import Problem
 from ev3proto.reading.kinds import is_image
 from ev3proto.reading.parts import Part
 from ev3proto.temporary import temporary_folder
 from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
-from ev3proto.text.phrases import NOTATIONS
-from ev3proto.text.spans import Role, Spans, visible
+from ev3proto.text.spans import visible
 
 _MOST_WARNINGS = 20
 _MOST_OF_A_NAME = 200
@@ -50,29 +47,6 @@ def moved_programs(events: Iterable[Captured], part: Part, problems: Problems) -
             image = b"" if file.file is None else file.file.read_bytes()
             if is_image(image):
                 yield f"{part.where(file.packets[0])}: {visible(file.path)}", image
-
-
-def show_program(
-    printer: Printer, program: Program, image: bytes, style: str | None, origin: str | None = None
-) -> None:
-    """Prints a program in a style, with its origin if it was not named on the command line."""
-    if style == "json":
-        printer.joined(program_json(program, len(image), origin))
-        return
-    if origin is not None:
-        is_source = style in NOTATIONS
-        printer.lines([[(f"// {origin}" if is_source else origin, Role.ASIDE)]])
-    if style in NOTATIONS:
-        printer.lines(_source(program))
-    else:
-        printer.lines(program_tree(program) if style == "tree" else listing(program))
-
-
-def _source(program: Program) -> Iterator[Spans]:
-    """Yields the source of a program; of one that was read in part only, the listing as comments."""
-    if program.fault is None:
-        return ([(line, Role.PLAIN)] for line in source_lines(program))
-    return ([("// ", Role.ASIDE), *line] for line in listing(program))
 
 
 def complain_of_source(label: str, found: Sequence[AssemblyError | SourceWarning]) -> None:

@@ -16,9 +16,10 @@ from ev3proto.brick.servers.faults import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
+from ev3proto.cli.formats import made
 from ev3proto.cli.options import SerialNumber, dialect_option, exclusive, json_option
 from ev3proto.cli.output import Failure, complain, failing_to, flush, refuse_terminal, say, writing_output
-from ev3proto.cli.show import Dialogues, Show
+from ev3proto.cli.show import Dialogues
 from ev3proto.cli.targets import target_option
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
@@ -123,7 +124,7 @@ class _Shown:
 
     def __init__(self, *, as_json: bool, is_quiet: bool) -> None:
         self.start_ns = 0
-        self._dialogues = None if is_quiet else Dialogues(Show("json" if as_json else None))
+        self._dialogues = None if is_quiet else Dialogues(made("json" if as_json else None))
 
     def __call__(self, pair: RequestReply) -> None:
         if self._dialogues is not None:

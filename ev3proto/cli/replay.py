@@ -11,9 +11,10 @@ from dataclasses import replace
 import click
 
 from ev3proto.capture.dialogues import RequestReply, dialogues
+from ev3proto.cli.formats import made
 from ev3proto.cli.output import Printer, complain
 from ev3proto.cli.reading import Problems, captures_of, reading_options
-from ev3proto.cli.show import Dialogues, Show
+from ev3proto.cli.show import Dialogues
 from ev3proto.cli.targets import channel_to, target_option, timeout_option
 from ev3proto.errors import counted, near_misses
 from ev3proto.link.channel import Channel
@@ -152,7 +153,7 @@ class _Replaying:
         self._fast = fast
         self._only_different = only_different
         self._firmware: str | None = None
-        self._dialogues = Dialogues(Show(None), is_known=True)
+        self._dialogues = Dialogues(made(None), is_known=True)
         self._printer = Printer()
         self._counts: Counter[str] = Counter()
 

@@ -10,9 +10,9 @@ from itertools import islice
 
 import click
 
+from ev3proto.cli.formats import formats_of, made
 from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, exclusive
 from ev3proto.cli.output import Failure, complain, put, say
-from ev3proto.cli.show import FORMATS, Show
 from ev3proto.dialogue import Exchange
 from ev3proto.extras import install_command
 from ev3proto.schema.frame import parse
@@ -46,7 +46,7 @@ MOST_SEEDS = 1 << 64
 @click.option(
     "--format",
     "style",
-    type=click.Choice(["hex", "raw", *FORMATS]),
+    type=click.Choice(("hex", "raw", *formats_of("message"))),
     default="hex",
     show_default=True,
     help="Format of the output.",
@@ -105,13 +105,13 @@ def _writer(style: str, dialect: str) -> Callable[[bytes], object]:
     """Returns a function that writes one frame to standard output."""
     if style == "raw":
         return lambda frame: put(frame, None)
-    show = None if style == "hex" else Show(style)
+    show = None if style == "hex" else made(style)
 
     def write(frame: bytes) -> None:
         message = parse(frame, strict=False, dialect=dialect)
         if show is None:
             say(as_hex(message))
         else:
-            show.exchange(Exchange(message), Seen())
+            show.message(Exchange(message), Seen())
 
     return write

@@ -11,10 +11,11 @@ import click
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.cli.encode import Making, encoded
+from ev3proto.cli.formats import Format, made
 from ev3proto.cli.options import bare_option, dialect_option, json_option, reply_option
 from ev3proto.cli.output import Failure, complain
 from ev3proto.cli.reading import Problems
-from ev3proto.cli.show import Dialogues, Show
+from ev3proto.cli.show import Dialogues
 from ev3proto.cli.targets import TargetType, channel_to, is_refused, timeout_option
 from ev3proto.errors import counted
 from ev3proto.link.channel import Channel
@@ -74,7 +75,7 @@ def send(
     if target.way is Way.VIRTUAL and not bare and any(map(_uses_ports, commands)):
         complain(CORE_SET_SENTENCE)
     with channel_to(replace(target, is_bare=bare)) as channel:
-        is_fine = _talk(channel, commands, Show("json" if as_json else None), timeout, dialect, str(target))
+        is_fine = _talk(channel, commands, made("json" if as_json else None), timeout, dialect, str(target))
     sys.exit(problems.status if is_fine else 1)
 
 
@@ -103,7 +104,7 @@ def _uses_ports(message: Message) -> bool:
     )
 
 
-def _talk(channel: Channel, messages: list[Message], show: Show, timeout: float, dialect: str, peer: str) -> bool:
+def _talk(channel: Channel, messages: list[Message], show: Format, timeout: float, dialect: str, peer: str) -> bool:
     """Sends the messages, and shows each with its reply. Returns whether all went well."""
     records, dialogues = Records(channel.carrier, peer, dialect), Dialogues(show, is_known=True)
     is_fine = True

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +13,7 @@ from ev3proto.capture.plot import draw
 from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.options import FILE, exclusive
-from ev3proto.cli.output import Failure, complain, put, say, say_json
+from ev3proto.cli.output import Failure, complain, csv_line, put, say, say_json
 from ev3proto.cli.reading import Problems, captures_of, reading_options, title_of
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
@@ -136,14 +134,8 @@ def _print_csv(found: Series) -> None:
     for number, record in enumerate(_records(found)):
         cells = record.pop("values")
         if number == 0:
-            say(_csv_line([*record, *_titles(found)]))
-        say(_csv_line([*record.values(), *(_text(cells.get(name)) for name in found.units)]))
-
-
-def _csv_line(cells: list[Any]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="").writerow(cells)
-    return text.getvalue()
+            say(csv_line([*record, *_titles(found)]))
+        say(csv_line([*record.values(), *map(cells.get, found.units)]))
 
 
 def _print_json(found: Series) -> None:

@@ -46,7 +46,7 @@ OF_THE_CALL = {
     "decode --dialogues --programs 00": "--dialogues and --programs cannot be used together",
     "decode --dialogues --format asm 00": "--dialogues and --format asm cannot be used together",
     "decode --format xml 00": "Invalid value for '--format': 'xml' is not one of 'tree', 'table', 'sentence', 'asm',"
-    " 'lego', 'json', 'listing'.",
+    " 'lego', 'json', 'csv', 'listing'.",
     "check --filter op==NOP SOUND(BREAK)": "--filter is for frames, but SOUND(BREAK) has none yet",
     "encode --filter op==NOP SOUND(BREAK)": "--filter is for frames, but SOUND(BREAK) has none yet",
     "check --strict --errors-only 00": "--strict and --errors-only cannot be used together",

@@ -122,7 +122,7 @@ def _values(values: Iterable[Value], unknown: frozenset[int] = frozenset()) -> I
 
 
 def _cell(value: Value) -> float | str:
-    """Returns a value as one number or text; nothing for a number that is none, several with spaces between."""
+    """Returns a value as one number or text: nothing for NaN, several numbers with spaces between."""
     if value.is_nan:
         return ""
     if isinstance(value.value, bytes):

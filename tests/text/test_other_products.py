@@ -95,6 +95,60 @@ def test_text_that_was_sent_to_a_brick_is_named_with_the_frame_that_carries_it(l
     assert parse(bytes.fromhex(FORWARD.rpartition("send ")[2])).build() == writemailbox("abc", "forward").build()
 
 
+FRAME = bytes.fromhex("0F0000008000009401810282E80382E803")
+WRITTEN = {
+    "hex": "0F0000008000009401810282E80382E803",
+    "hex, small": "0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03",
+    "0x": "0x0F,0x00,0x00,0x00,0x80,0x00,0x00,0x94,0x01,0x81,0x02,0x82,0xE8,0x03,0x82,0xE8,0x03",
+    "lesson": "0x|0F:00|00:00|80|00:00|94|01|81:02|82:E8:03|82:E8:03|",
+    "escapes": r"\x0f\x00\x00\x00\x80\x00\x00\x94\x01\x81\x02\x82\xe8\x03\x82\xe8\x03",
+    "decimals": "15 0 0 0 128 0 0 148 1 129 2 130 232 3 130 232 3",
+    "list": "[15, 0, 0, 0, -128, 0, 0, -108, 1, -127, 2, -126, -24, 3, -126, -24, 3]",
+    "base64": "DwAAAIAAAJQBgQKC6AOC6AM=",
+}
+"""How a program may write the frame as a text that it then sends."""
+
+
+@pytest.mark.parametrize("written", WRITTEN)
+@pytest.mark.parametrize("form", ["hex", "blanks", "0x and commas", "C", "decimals", "hexdump -C", "xxd", "lesson"])
+def test_a_frame_that_was_sent_as_a_text_is_named_and_shown(written: str, form: str) -> None:
+    text = WRITTEN[written]
+    (piece,) = read_text(f"{NOTATIONS[form](text.encode())}\n".splitlines(keepends=True))
+    assert piece.data == b""
+    assert piece.problem == f"this is the text {text!r}, a frame written as characters; send {FRAME.hex(' ').upper()}"
+
+
+def test_digits_that_are_not_a_frame_are_not_named() -> None:
+    for text in ("0123456789ABCDEF01", "2026 11 28 13 43 11", "DEADBEEFDEADBEEF", "192 168 0 1 5555 10 3"):
+        found = list(read_text([f"{text.encode().hex(' ')}\n"]))
+        assert [piece for piece in found if "written as characters" in (piece.problem or "")] == [], text
+
+
+OPERATIONS = "these are operations without the header of a frame: --operations reads them"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<<174, 0, 3, 129, 50, 0, 130, 132, 3, 130, 180, 0, 1>>",
+        "[-92, 0, 1, -127, 50, -90, 0, 1]",
+        "byte[] ops = {(byte) 0xA4, 0, 1, (byte) 0x81, 50, (byte) 0xA6, 0, 1};",
+        "bytes([164, 0, 1, 129, 50, 166, 0, 1])",
+        "A4 00 01 81 32 A6 00 01",
+    ],
+)
+def test_operations_without_a_header_are_named_in_every_notation(text: str) -> None:
+    (piece,) = read_text([f"{text}\n"])
+    assert (piece.data, piece.problem) == (b"", OPERATIONS)
+
+
+@pytest.mark.parametrize(
+    "text", ["[0, 1, 1, 2, 3, 5, 8, 13]", "[10, 20, 30, 40]", "x = [2, 2, 2, 3, 3, 1, 8]", "5 10 15 20 9"]
+)
+def test_other_lists_are_not_operations(text: str) -> None:
+    assert [piece.problem for piece in read_text([f"{text}\n"]) if piece.problem] == []
+
+
 def test_a_long_text_is_named_alone() -> None:
     (piece,) = read_text([f"Sent b'{'turn left ' * 20}'\n"])
     assert piece.problem == (

@@ -26,7 +26,7 @@ from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line
 from ev3proto.text.paste.sequences import Part, Values, within
-from ev3proto.text.paste.strangers import strange_bytes
+from ev3proto.text.paste.strangers import strange_bytes, written
 from ev3proto.text.paste.tokens import BYTES, MISSPELT, Token, clean, string_bytes
 
 _MOST_STARTS = 8
@@ -322,15 +322,24 @@ def _partial(token: Token) -> _Partial:
     return _Partial(bytes.fromhex(text[:-1]) if is_odd else b"", token.start, not_a_byte(text))
 
 
+def spelt(sequences: Iterable[Values]) -> str | None:
+    """Returns what values are that are the characters of a frame's digits; None for any other."""
+    parts = ((values, part) for values in sequences for base in values.bases[:2] for part in values.parts(base))
+    between = (part.data[start:end] for values, part in parts for start, end in values.between_breaks(part))
+    return next((said for data in between if (said := written(data))), None)
+
+
 def told(row: Row) -> str | None:
     """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
     values = row.sequences[-1]
     part = next((part for base in values.bases[:2] for part in values.parts(base)), None)
     if part is None or part.last < len(values.tokens) or part.first or row.after.strip(AROUND):
         return None
-    if not _is_data(row, values):
-        return None
     first, data = values.tokens[0], part.data
+    before = row.line[: first.start].rstrip().removesuffix("(byte)").rstrip()
+    is_listed = max(data) > 0x7F and before.endswith(("[", "{", "(", "<<"))
+    if not is_listed and not _is_data(row, values):
+        return None
     is_dull = first.kind == "string" or (len(values.tokens) > 1 and len({*data}) < LEAST - 1)
     is_known = is_dull or _is_digest(part, data) or _ADDRESS.match(row.line, first.start) is not None
     return strange_bytes(data) or (None if is_known else bare_reason(data))

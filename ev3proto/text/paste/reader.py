@@ -17,7 +17,7 @@ from ev3proto.schema.header import frame_end
 from ev3proto.semantics.identify import identify
 from ev3proto.text.paste.frames import is_carried, is_whole
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
-from ev3proto.text.paste.near import Near, near, told
+from ev3proto.text.paste.near import Near, near, spelt, told
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, Unknown, check_text, short
 from ev3proto.text.paste.rows import AROUND, Row, of_line, of_rows, openings
 from ev3proto.text.paste.sequences import Part, Reading, Values, best
@@ -32,6 +32,8 @@ _GATE = re.compile(
   | 0x0[0-3]0x | [\da-fA-F]{2}\.0[0-3]\.
     # A download, which may be longer than other frames: its type and its command.
   | [\da-fA-F]{2}[\W_]?[08]1[\W_]?9[\da-fA-F]
+    # The characters of digits, in hex and decimal.
+  | (?:[2-7][\da-fA-F][\W_]{0,2}(?:0x)?){8} | (?:(?:3[2-9]|[4-9]\d|1[01]\d|12[0-6])[\s,]{1,2}){8}
     # An escape, the lesson's mark, an unknown byte, base64.
   | \\ | 0[xX]\| | (?<!\w)(?:[xX]{2}|MM) | (?<![\w+/-])[\w+/-][AQgw][A-P][\w+/-]{5}
     """,
@@ -256,6 +258,9 @@ class Reader:
         if found is not None:
             yield from self._emit(rows, *found, above)
             return
+        if len(rows) > 1 and (said := spelt(of_rows(rows, block.places))) is not None:
+            self._strange = self._strange or Pasted(b"", rows[0].number, short(rows[0].line, MAX_TEXT), problem=said)
+            return
         if block.shown:
             tokens = [token for row in rows for token in block.values_of(row)]
             if any(token.text.strip("0x") for token in tokens):
@@ -267,11 +272,12 @@ class Reader:
     def _line(self, row: Row, reading: Reading | None, above: Head) -> Iterator[Pasted]:
         """Yields what a line has by itself."""
         ended, self._ended = self._ended, None
-        one = near(of_line(row), [row]) if reading is None else None
+        said = spelt(of_line(row)) if reading is None and row.tokens else None
+        one = near(of_line(row), [row]) if reading is None and said is None else None
         if reading is None and one is None and ended is not None and (rest := _below(row, *ended)) is not None:
             yield rest
             return
-        if reading is None and one is None and row.tokens and (said := told(row)) is not None:
+        if reading is None and one is None and row.tokens and (said := said or told(row)) is not None:
             self._strange = self._strange or Pasted(b"", row.number, short(row.line, MAX_TEXT), problem=said)
         yield from self._emit([row], reading, one, above)
 

@@ -19,6 +19,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 import ev3proto
 from benchmarks import plain
 from benchmarks.commands import commands
+from ev3proto.schema import FRAME
 
 FRAMES = list(commands(2000))
 
@@ -69,6 +70,7 @@ def test_ratios(capsys: pytest.CaptureFixture[str]) -> None:
         "parse": lambda: [_values(frame) for frame in FRAMES],
         "stream": lambda: _counted(stream),
         "build": lambda: [message.build() for message in messages],
+        "declaration": lambda: [FRAME.parse(frame) for frame in FRAMES[:: len(FRAMES) // 100]],
     }
     times: dict[str, list[float]] = {name: [] for name in works}
     for _ in range(11):
@@ -83,6 +85,8 @@ def test_ratios(capsys: pytest.CaptureFixture[str]) -> None:
         print(f"\nparse  {median(times['parse']) / base:.2f} x the plain decoder's time")
         print(f"stream cut into messages without reading them  {median(times['stream']) / base:.2f} x")
         print(f"build  {median(times['build']) / base:.2f} x the plain decoder's time")
+        declared = median(times["declaration"]) * len(FRAMES) / 100
+        print(f"FRAME.parse of Construct  {declared / median(times['parse']):.0f} x the time of parse")
         print(f"import and first frame  {1000 * (own - construct):.0f} ms more than importing construct alone")
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from ev3proto.brick.clock import MOST_OPERATIONS, MOST_PROCESSOR_SECONDS, MOST_SECONDS
+from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 
 DEVIATIONS: tuple[str, ...] = (
+    f"A direct command is ended after {PATIENCE:g} s if another client waits.",
+    f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
     "A frame with a header error is answered (length 3, 0x04), and the brick continues; a real one must be restarted.",
     "An operation that accesses memory out of bounds fails with 0x04: variables beyond local and global memory,"
     " addresses, unset labels, unknown mailboxes and objects, RETURN.",

@@ -245,7 +245,7 @@ MISALIGNED = _code(
     """
     A variable of 16 bits must start at an even index of its memory, one of 32 bits or a float at a multiple of 4.
     The firmware checks that before it runs anything, and refuses the whole command. --fix does not move variables,
-    because the program that reads the reply relies on their positions; the help names the nearest aligned index.
+    because the program that reads the reply relies on their positions; the help names the multiple.
     """,
     _sized("2A:00|00|05:00|81:01:61"),
     VOLTAGE,

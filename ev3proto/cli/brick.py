@@ -18,7 +18,6 @@ from ev3proto.brick.dispatch import coverage as covered_operations
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import ServerError
-from ev3proto.brick.servers.limits import PATIENCE, UNLOCK_TIME
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, ScriptError, read_script
 from ev3proto.brick.servers.server import Options, running
@@ -211,12 +210,7 @@ def _report(reporter: Reporter, options: BrickOptions) -> NoReturn:
 
 def _with_differences(about: str) -> str:
     """Returns a help that also lists how the virtual brick differs from a real one on purpose."""
-    differences = (
-        f"A direct command is ended after {PATIENCE:g} s if another client waits.",
-        f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
-        *DEVIATIONS,
-    )
-    listed = "\n\n".join(f"- {sentence}" for sentence in differences)
+    listed = "\n\n".join(f"- {sentence}" for sentence in DEVIATIONS)
     text, examples_mark, examples = cleandoc(about).rpartition("\n\n\b\n")
     return f"{text}\n\nIt differs from a real brick on purpose:\n\n{listed}{examples_mark}{examples}"
 

@@ -19,7 +19,7 @@ def declared(dialect: str = "official") -> WireFormat:
     """Returns the wire format of a dialect, declared in Construct; created once.
 
     `FRAME` and `OPERATIONS` of this module are those of LEGO's firmware. They are complete, for parsing and building;
-    `ev3proto.parse` and the rest use readers and writers that are about 60 times as fast, held to them by tests.
+    `ev3proto.parse` and the rest use readers and writers that are much faster, held to them by tests.
 
     Args:
         dialect: "official", "xtended" or "compat".

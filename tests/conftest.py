@@ -24,6 +24,8 @@ from support.wireshark import Tshark
 
 from ev3proto.brick import Brick
 
+pytest_plugins = ["support.costs"]
+
 # Hundreds of processes are started; without compiled modules, each would compile the package.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False

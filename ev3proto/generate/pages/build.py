@@ -8,6 +8,7 @@ from ev3proto.generate.pages import (
     contents,
     enumerations,
     filters,
+    house,
     numbers,
     operations,
     read_only,
@@ -32,4 +33,4 @@ def build() -> dict[str, str]:
         "numbers.md": page("Numbers and names", numbers.blocks()),
         "read-only.md": page("What only reads", read_only.blocks()),
     }
-    return {f"{FOLDER}/{name}": text for name, text in pages.items()}
+    return {f"{FOLDER}/{name}": text for name, text in {**pages, house.NAME: house.build()}.items()}

@@ -27,6 +27,7 @@ from pyshark.packet.layers.xml_layer import XmlLayer
 
 import ev3proto
 from ev3proto.dialogue import Exchange, Value, reply_values
+from ev3proto.generate.dissector.fields import FIELDS
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.messages import (
     Argument,
@@ -249,10 +250,7 @@ def unshown(layer: Tree, data: bytes) -> str:
     return f"the bytes at {sorted(left)} are not shown" if left else ""
 
 
-GENERATED = (
-    *("ev3.brick", "ev3.request_in", "ev3.response_in"),
-    *("ev3.transfer.path", "ev3.transfer.done", "ev3.transfer.size"),
-)
+GENERATED = {f"ev3.{field.name}" for field in FIELDS if field.generated}
 ABOUT_ARGUMENTS = ("misaligned", "beyond_memory", "refused", "misread")
 FAULTS = ("fault", "unknown_opcode", "unknown_cmd", "cut_off", "no_boundary")
 
@@ -312,7 +310,7 @@ class _Reading:
                 self.fields.append(self.item(item))
                 for child in item.children:
                     self.read(child)
-            case name if name in GENERATED or name == "ev3.response_time":
+            case name if name in GENERATED:
                 self.generated[name] = item.show
             case "_ws.expert":
                 pass

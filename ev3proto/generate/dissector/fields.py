@@ -22,11 +22,12 @@ _BYTES = 'base.UNIT_STRING, { " byte", " bytes" }'
 class ProtoField(NamedTuple):
     """A field.
 
-    key    its name in the runtime
-    kind   its type, a function of `ProtoField`
-    name   its name in filters, after `ev3.`
-    title  its name in the packet tree
-    rest   further arguments of the function, in Lua
+    key        its name in the runtime
+    kind       its type, a function of `ProtoField`
+    name       its name in filters, after `ev3.`
+    title      its name in the packet tree
+    rest       further arguments of the function, in Lua
+    generated  whether it is computed: no bytes of the frame are its value
     """
 
     key: str
@@ -34,6 +35,7 @@ class ProtoField(NamedTuple):
     name: str
     title: str
     rest: str = ""
+    generated: bool = False
 
 
 _KINDS = {
@@ -65,7 +67,7 @@ class Expert(NamedTuple):
 
 FIELDS = (
     ProtoField("bytes", "bytes", "bytes", "Bytes", 'base.NONE, "all bytes of a frame, or of a text between frames"'),
-    ProtoField("brick", "string", "brick", "Brick", '"the brick that it goes to or comes from"'),
+    ProtoField("brick", "string", "brick", "Brick", '"the brick that it goes to or comes from"', generated=True),
     ProtoField("length", "uint16", "msg_len", "Length", 'base.DEC, nil, nil, "bytes that follow this field"'),
     ProtoField(
         "counter",
@@ -114,14 +116,16 @@ FIELDS = (
     ProtoField("rest", "bytes", "rest", "Not read", 'base.SPACE, "bytes that could not be read"'),
     ProtoField("padding", "bytes", "padding", "Padding", 'base.SPACE, "the unused rest of a USB report"'),
     ProtoField("fragment", "bytes", "fragment", "Part of a frame", "base.SPACE"),
-    ProtoField("fragment_of", "framenum", "fragment_of", "Frame complete in"),
-    ProtoField("fragments", "framenum", "fragments", "Began in"),
-    ProtoField("response_in", "framenum", "response_in", "Response in", "base.NONE, frametype.RESPONSE"),
-    ProtoField("request_in", "framenum", "request_in", "Request in", "base.NONE, frametype.REQUEST"),
-    ProtoField("response_time", "relative_time", "response_time", "Response time"),
-    ProtoField("transfer_path", "string", "transfer.path", "File"),
-    ProtoField("transfer_done", "uint32", "transfer.done", "Transferred", _BYTES),
-    ProtoField("transfer_size", "uint32", "transfer.size", "Size", _BYTES),
+    ProtoField("fragment_of", "framenum", "fragment_of", "Frame complete in", generated=True),
+    ProtoField("fragments", "framenum", "fragments", "Began in", generated=True),
+    ProtoField(
+        "response_in", "framenum", "response_in", "Response in", "base.NONE, frametype.RESPONSE", generated=True
+    ),
+    ProtoField("request_in", "framenum", "request_in", "Request in", "base.NONE, frametype.REQUEST", generated=True),
+    ProtoField("response_time", "relative_time", "response_time", "Response time", generated=True),
+    ProtoField("transfer_path", "string", "transfer.path", "File", generated=True),
+    ProtoField("transfer_done", "uint32", "transfer.done", "Transferred", _BYTES, generated=True),
+    ProtoField("transfer_size", "uint32", "transfer.size", "Size", _BYTES, generated=True),
     ProtoField("beacon_answer", "bytes", "beacon.answer", "Answer to a beacon", "base.SPACE"),
     ProtoField("unlock", "string", "unlock", "Unlock"),
     ProtoField("unlock_serial", "string", "unlock.serial", "Serial number"),

@@ -1,1 +1,13 @@
-"""The playground: a page that reads frames and runs a virtual brick, without anything installed."""
+"""The playground: a page that reads frames and runs a virtual brick, without anything installed.
+
+npm fetches Pyodide (Python for browsers) and Vega by package-lock.json. `packing` packs what Python imports;
+make_snapshot.mjs starts it once in node and keeps a snapshot of its memory, from which boot.js starts in the browser,
+or without it. service-worker.js keeps the files that `build` names.
+
+state.js has what the page knows, from which its texts follow; each other script has one concern. The brick is shown
+by ev3proto/brick/servers/page/static/brick.js, as on the page of `brick --http`. The workers run Python, the
+package `bridge`: `reading` and `findings` read an input once, step by step; `pages` makes lines of its frames when
+their page is opened; `real_brick` is the session with a real brick, whose bytes carriers.js moves.
+
+The scripts are linted, and their types in JSDoc checked. tests/browsers tries the page in Firefox and WebKit, too.
+"""

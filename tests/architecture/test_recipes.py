@@ -72,6 +72,21 @@ def check_luck(context: CheckContext) -> Iterator[Finding]:
         yield codes.LUCKY.finding(2, 2, "the counter is 7", "use another one")
 """
 
+FORMAT = '''"""Captures behind a lucky word."""
+
+from ev3proto.capture.formats import pcapng
+from ev3proto.capture.packets import Format, begins_with
+
+
+def packets(stream):
+    """Yields the packets."""
+    stream.read(5)
+    yield from pcapng.packets(stream)
+
+
+FORMAT = Format("lucky", (".luck",), 5, begins_with(b"LUCKY"), packets)
+'''
+
 EXPORT = '''"""Opcodes for spreadsheets."""
 
 from ev3proto.tables import OPCODES
@@ -149,6 +164,11 @@ RECIPES: dict[str, tuple[Change, ...]] = {
             "\nF 0 0 0 80 ",
             f"\n{TONE.hex(MARK).replace(MARK, MARK + chr(32))}{MARK}\nF 0 0 0 80 ",
         ),
+    ),
+    "A capture format": (
+        Change("ev3proto/capture/formats/lucky.py", "", FORMAT),
+        Change("ev3proto/capture/formats/__init__.py", "for each in (pcap, ", "for each in (lucky, pcap, "),
+        Change("ev3proto/capture/formats/__init__.py", "import btsnoop, hcidump, ", "import btsnoop, hcidump, lucky, "),
     ),
     "A field of the dissector": (
         Change(
@@ -237,7 +257,6 @@ RECIPES: dict[str, tuple[Change, ...]] = {
 """By the title of the recipe."""
 
 ELSEWHERE = {
-    "A capture format": "tests/capture/test_capture_formats.py",
     "A carrier": "tests/tables/test_carriers.py",
     "An output format": "tests/cli/test_formats.py",
 }
@@ -380,6 +399,12 @@ def test_wireshark_knows_an_opcode_and_a_field(copy: Path, capture: Path) -> Non
     assert "LAPS" in tree
     assert "STOP" in tree
     assert re.findall(r"\[Lucky counter: (\w+)\]", tree) == ["False", "True"]
+
+
+def test_a_capture_format_is_read(copy: Path, capture: Path) -> None:
+    capture.write_bytes(b"LUCKY" + capture.read_bytes())
+    assert "TIMER_LAP" in _run(copy, "decode", str(capture))
+    assert "lucky" in run_in(copy, "-c", "from ev3proto.capture.formats import LISTED; print(LISTED)")
 
 
 def test_a_statistic_is_in_both_outputs(copy: Path, capture: Path) -> None:

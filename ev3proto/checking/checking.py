@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from operator import attrgetter
 
+from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.alone import check_alone
@@ -97,6 +98,8 @@ def _context(frame: bytes, dialect: str, carrier: str | None, alone: bool) -> Ch
 
 def _findings(context: CheckContext) -> list[Finding]:
     found = list(check_envelope(context))
+    if any(finding.code == codes.NOT_A_FRAME.code for finding in found):
+        return found
     message = context.message
     if isinstance(message, DirectCommand):
         found += check_command_header(context, message)

@@ -157,6 +157,16 @@ REFUSED_MEMORY = _code(
     _sized("2A:00|00|FF:03|81:01:60"),
     VOLTAGE,
 )
+NOT_A_FRAME = _code(
+    "E108",
+    "not a frame of an EV3",
+    """
+    All bytes together are something else: a text, the digits of a frame as characters, or a telegram of another
+    product of LEGO, such as the NXT. A brick takes their first two bytes for a length.
+    """,
+    b"forward",
+    _frame("06:00|2A:00|80|00:00|01"),
+)
 NO_COMMAND = _code(
     "W101",
     "a reply, not a command",

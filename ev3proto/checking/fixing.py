@@ -43,7 +43,7 @@ def fix(
     report = check(given, dialect=dialect, carrier=carrier)
     changes: list[Change] = []
     while True:
-        # Each round has fewer findings than the one before.
+        # Each round has fewer errors, or as many and fewer findings, than the one before.
         after, made, unfixed = _meant(report)
         if not made and shorten:
             after, made, kept = _shorter(report)
@@ -77,8 +77,12 @@ def _shorter(report: Report) -> tuple[Report, list[Change], list[str]]:
 
 
 def is_better(after: Report, before: Report) -> bool:
-    """Returns whether a frame is accepted with fewer findings, and no more errors, than another."""
-    return after.accepted and len(after.findings) < len(before.findings) and len(after.errors) <= len(before.errors)
+    """Returns whether a frame is accepted with fewer errors than another, or as many and fewer findings."""
+    return after.accepted and _weight(after) < _weight(before)
+
+
+def _weight(report: Report) -> tuple[int, int]:
+    return len(report.errors), len(report.findings)
 
 
 def _change(given: bytes, one: Suggestion) -> Change:

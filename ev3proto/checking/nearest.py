@@ -32,7 +32,7 @@ from ev3proto.checking.report import Report, Suggestion
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand
-from ev3proto.schema.frame import read_last
+from ev3proto.schema.frame import frame_reader, read_last
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
@@ -42,6 +42,7 @@ from ev3proto.schema.header import (
     write_memory,
 )
 from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
+from ev3proto.semantics.identify import NOTHING, Kind, other
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageType
@@ -121,7 +122,14 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     if any(finding.code == "H101" for finding in report.findings):
         frame = report.frame[: stated_size(report.frame)]  # without the padding of a USB report
         return check(frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone).nearest
-    text = mangled(report.frame)
+    reader = frame_reader(report.dialect)
+    found = other(report.frame, reader)
+    if found.kind is Kind.DIGITS and found.frame is not None:
+        sentence = SLIPS["digits"].sentence
+        return (Suggestion("digits", 0, len(report.frame), sentence, found.frame, is_sure=True),)
+    if found is not NOTHING:
+        return ()
+    text = mangled(report.frame, reader)
     return _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
 
 

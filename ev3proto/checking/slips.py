@@ -34,6 +34,8 @@ SLIPS = {
     # The whole frame went through a text.
     "utf-8": Slip(1, "the frame was encoded as UTF-8: {0} is here for {1}; send bytes, not a text",
         "0E00 0100 C280 0000 C294 01 02 C282C3A803 C282C3B401", _TONE),
+    "digits": Slip(1, "these are the digits of a frame as characters; send the bytes, not their text",
+        b"0600 0100 80 0000 01".hex(), "0600 0100 80 0000 01"),
     "text-mode": Slip(1, "0D 0A is here for 0A: the frame went through text mode; open the file or port in binary mode",
         "0800 0D0A00 00 0400 81 01 60", "0800 0A00 00 0400 81 01 60"),
     "replaced": Slip(1, "EF BF BD is here for a byte above 7F: the frame was decoded as UTF-8; keep it as bytes",

@@ -65,6 +65,9 @@ class Kind(Enum):
     NOTHING = "nothing known"
 
 
+_OTHERS = frozenset((Kind.DIGITS, Kind.TEXT, Kind.NXT, Kind.HUB))
+
+
 class Identity(NamedTuple):
     """What bytes are.
 
@@ -120,6 +123,16 @@ def identify(
         if found is not None:
             return found
     return NOTHING
+
+
+def other(data: bytes, reader: FrameReader | None = None) -> Identity:
+    """Returns what bytes are instead of a frame: the text of one, another text, a telegram; or else `NOTHING`.
+
+    It is quick for bytes that are none of these.
+    """
+    is_possible = is_prose(data.removesuffix(b"\0")) or _nxt(data) is not None or _hub(data) is not None
+    found = identify(data, missing=False, reader=reader) if is_possible else NOTHING
+    return found if found.kind in _OTHERS else NOTHING
 
 
 def is_sure(frame: bytes, reader: FrameReader | None = None) -> bool:

@@ -254,3 +254,44 @@ def test_a_result_is_taken_for_a_local_variable_if_there_are_any(locals_: str, k
 def test_the_shortest_command_with_a_header_that_is_too_long() -> None:
     (one,) = nearest("0800 2A000000 80 0000 01")
     assert (one.kind, one.frame) == ("header-long", bytes.fromhex("0600 2A00 80 0000 01"))
+
+
+STRANGE = {
+    "06 00 80 03 B8 01 E8 03": (
+        "this is a telegram for an NXT (PLAYTONE), LEGO's earlier brick; an EV3 does not know it"
+    ),
+    "04 00 80 0A 01 00": (
+        "this is a telegram for an NXT (RESETMOTORPOSITION), LEGO's earlier brick; an EV3 does not know it"
+    ),
+    "08 00 81 32 11 51 00 64": (
+        "this is a message of LEGO's Wireless Protocol (port output command), for hubs with Bluetooth Low Energy (its"
+        " first byte counts all bytes, the second is the hub, the third the type); an EV3 does not know it"
+    ),
+    b"forward\r\n".hex(): (
+        "this is the text 'forward', not a frame; a Messaging block needs WRITEMAILBOX: for its mailbox 'abc', send"
+        " 13 00 00 00 81 9E 04 61 62 63 00 08 00 66 6F 72 77 61 72 64 00"
+    ),
+}
+
+
+@pytest.mark.parametrize("data", STRANGE)
+def test_what_was_not_meant_as_a_frame_has_one_finding_and_no_suggestion(data: str) -> None:
+    report = ev3proto.check(bytes.fromhex(data), alone=True)
+    (finding,) = report.findings
+    assert (finding.code, finding.offset, finding.message) == ("E108", 0, STRANGE[data])
+    assert (report.accepted, report.rejected_at, report.nearest) == (False, 0, ())
+
+
+def test_the_digits_of_a_frame_are_fixed_to_the_frame() -> None:
+    right = bytes.fromhex("0E 00 00 00 80 00 00 94 01 02 82 E8 03 82 E8 03")
+    for text in (
+        right.hex(),
+        right.hex(" ").upper(),
+        ",".join(map(str, right)),
+        ", ".join(f"0x{one:02X}" for one in right),
+    ):
+        report = ev3proto.check(text.encode())
+        assert [finding.code for finding in report.findings] == ["E108"], text
+        (one,) = report.nearest
+        assert (one.kind, one.offset, one.length, one.frame) == ("digits", 0, len(text), right)
+        assert report.fixed.frame == right

@@ -11,7 +11,7 @@ from ev3proto.dialogue import Transfers
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import HEADER_SIZE, unpack_header
-from ev3proto.semantics.pairing import Pairing, pairing_key
+from ev3proto.semantics.pairing import MOST_LABELS, Pairing, pairing_key
 from ev3proto.tables.frame import MessageType
 
 MOST_PENDING = 4096
@@ -27,6 +27,8 @@ _TYPES = {
     for member in MessageType
 }
 """By the number of a type: whether it is a command, requests a reply, is an error, and is a system message."""
+
+_UNKNOWN = (True, False, False, False)
 
 
 _RECORD_SIZE = 700
@@ -50,14 +52,21 @@ class Conversation:
     number  as `Record.connection`, 0 before the first record; it may be set to that of an earlier conversation
     """
 
-    def __init__(self, schema: FrameReader, budget: Budget | None = None, numbers: Iterator[int] | None = None) -> None:
+    def __init__(
+        self,
+        schema: FrameReader,
+        budget: Budget | None = None,
+        numbers: Iterator[int] | None = None,
+        *,
+        is_ordered: bool = True,
+    ) -> None:
         """Takes the numbers of conversations that are not given yet, which it shares with the others of its file."""
         self.number = 0
         self._numbers = count(1) if numbers is None else numbers
         self._schema = schema
-        self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of)
+        self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of, is_ordered=is_ordered)
         self._budget = budget
-        self._transfers: Transfers | None = None  # made for the first system message
+        self._transfers: dict[int, Transfers] = {}  # by the number of the connection
 
     @property
     def unanswered(self) -> list[Record]:
@@ -66,48 +75,65 @@ class Conversation:
 
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """Returns the record of a frame. Pass every frame of the conversation once, in order, in both directions."""
-        record = self._new(frame, numbers, time_ns, route)
-        if len(frame) < HEADER_SIZE:
-            return record
-        known = _TYPES.get(unpack_header(frame)[2])
-        if known is None:
-            return record
-        is_command, wants_reply, _, is_system = known
-        if not is_command:
+        record = Record(frame, numbers, time_ns, route, self._schema)
+        known = _TYPES.get(unpack_header(frame)[2]) if len(frame) >= HEADER_SIZE else None
+        is_command, wants_reply, _, is_system = known or _UNKNOWN
+        if known is not None and not is_command:
             self._pair(record)
         elif wants_reply:
-            self._pairing.remember(*pairing_key(frame), record, time_ns if route.is_timed else None)
+            self._pairing.remember(*pairing_key(frame), record, time_ns if route.is_timed else None, route.label)
+        record.connection = self._number_of(record, is_command=is_command)
         if is_system:
             self._follow_transfer(record)
         return record
 
     def overwritten(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """Returns the record of a reply whose first bytes, including the type, are overwritten by its command's."""
-        record = self._new(frame, numbers, time_ns, route)
+        record = Record(frame, numbers, time_ns, route, self._schema)
         self._pair(record)
+        record.connection = self._number_of(record, is_command=False)
         return record
 
-    def _new(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
-        record = Record(frame, numbers, time_ns, route, self._schema)
+    def _number_of(self, record: Record, *, is_command: bool) -> int:  # noqa: ARG002
+        """Returns the number of the connection of a record, whose command is known."""
         if not self.number:
             self.number = next(self._numbers)
-        record.connection = self.number
-        return record
+        return self.number
 
     def _pair(self, record: Record) -> None:
         """Finds the command that a reply answers."""
-        answer = self._pairing.answered(*pairing_key(record.frame), record.time_ns if record.route.is_timed else None)
+        route = record.route
+        time_ns = record.time_ns if route.is_timed else None
+        answer = self._pairing.answered(*pairing_key(record.frame), time_ns, route.label)
         if answer is not None:
             record.request, record.note = answer.command, answer.note
             answer.command.answered = Outcome(record.time_ns, _is_failure(record))
 
     def _follow_transfer(self, record: Record) -> None:
-        transfers = self._transfers
+        transfers = self._transfers.get(record.connection)
         if transfers is None:
-            transfers = self._transfers = Transfers(self._budget)
+            transfers = self._transfers[record.connection] = Transfers(self._budget)
         message = record.message
         if isinstance(message, SystemCommand):
             record.transfer = transfers.requested(message)
         elif isinstance(message, SystemReply):
             request = None if record.request is None else record.request.message
             record.transfer = transfers.progress(message, request)
+
+
+class LoggedConversations(Conversation):
+    """The conversations in a text, told apart by labels. The lines of several bricks may be mixed, in any order."""
+
+    def __init__(self, schema: FrameReader, budget: Budget) -> None:
+        super().__init__(schema, budget, is_ordered=False)
+        self._by_label: dict[str, int] = {}
+
+    def _number_of(self, record: Record, *, is_command: bool) -> int:
+        if record.request is not None:
+            return record.request.connection
+        known = self._by_label
+        if not self._pairing.has_labels:
+            return 1
+        if not known or (is_command and len(known) < MOST_LABELS):
+            known.setdefault(record.label, len(known) + 1)
+        return known.get(record.label, 1)

@@ -46,6 +46,7 @@ class Route:
     direction  sent or received, None if unknown
     interface  name of the interface they were captured on, None if unknown
     peer       address of the brick (with the TCP port on WiFi): the source or the target
+    label      what a text names beside the direction, such as "leader" or "COM3"; empty without a label
     is_text    the frames are from a text, which does not tell their carrier
     is_timed   their times are known; a text may have none, and then the times of its records only give their order
     """
@@ -58,6 +59,7 @@ class Route:
     peer: str
     is_text: bool = False
     is_timed: bool = True
+    label: str = ""
 
 
 class Place(NamedTuple):
@@ -131,7 +133,9 @@ class Record:
     A conversation is a TCP connection (a SYN with another sequence number begins a new one between the same ends), a
     USB device (bus and number), or the RFCOMM channel between two addresses. It gets the next number with its first
     message: when that is complete and recognised as one. A packet that proves earlier messages counts as theirs. So
-    one pass over the packets in their order gives the numbers, and the dissector's `ev3.connection` has the same.
+    one pass over the packets in their order gives the numbers, and the dissector's `ev3.connection` has the same. In a
+    text, each label of commands is one, as long as replies are found to have the label of their command; a reply has
+    the number of its command.
     """
 
     # A long capture makes many of these: slots without a dataclass cost half as much.
@@ -306,6 +310,11 @@ class Record:
     def direction(self) -> Direction | None:
         """Sent or received, as seen by the computer; None if unknown."""
         return self.route.direction
+
+    @property
+    def label(self) -> str:
+        """What a text names beside the direction, often the brick or its port; empty without a label."""
+        return self.route.label
 
     @property
     def interface(self) -> str | None:

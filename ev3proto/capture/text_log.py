@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
+from functools import lru_cache
 from itertools import chain
 from typing import TYPE_CHECKING
 
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
-from ev3proto.capture.conversation import Conversation
+from ev3proto.capture.conversation import LoggedConversations
 from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Place, Record, Route, Written
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_reader
@@ -83,11 +84,10 @@ def _nanoseconds(text: str) -> tuple[int, bool] | None:
     return (since, True) if date else (BEGIN_NS + since, False)
 
 
-_ROUTES = {
-    (direction, is_timed): Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed)
-    for direction, ends in ((Direction.SENT, (HOST, BRICK)), (Direction.RECEIVED, (BRICK, HOST)))
-    for is_timed in (True, False)
-}
+@lru_cache
+def _route(direction: Direction, label: str, *, is_timed: bool) -> Route:
+    ends = (HOST, BRICK) if direction is Direction.SENT else (BRICK, HOST)
+    return Route(DEFAULT_CARRIER, *ends, direction, None, BRICK, is_text=True, is_timed=is_timed, label=label)
 
 
 class TextLog:
@@ -104,7 +104,7 @@ class TextLog:
         self.budget = Budget(memory)
         self.has_replies = False
         self._dialect = dialect
-        self._conversation = Conversation(frame_reader(dialect), self.budget)
+        self._conversation = LoggedConversations(frame_reader(dialect), self.budget)
         self._clock = Clock()
 
     def begin(self) -> Account:
@@ -120,7 +120,7 @@ class TextLog:
             fault, unknown = message.fault, frozenset([one.offset - start for one in pasted.unknown])
             is_cut = pasted.cut and fault is not None and fault.truncated
             written = Written(place, pasted.direction, pasted.time, is_typed, pasted.column, is_cut, unknown, rest)
-            yield self._record(message, written, pasted.line, time_ns)
+            yield self._record(message, written, pasted.line, time_ns, pasted.label or "")
         account.padding = account.captured - account.frames
 
     def made(self, message: Message, place: Place, number: int) -> Record:
@@ -137,9 +137,9 @@ class TextLog:
         account.last_ns = time_ns
         return time_ns
 
-    def _record(self, message: Message, written: Written, number: int, time_ns: int) -> Record:
+    def _record(self, message: Message, written: Written, number: int, time_ns: int, label: str = "") -> Record:
         frame = message.build()
-        route = _ROUTES[_direction(written, message, len(frame)), written.time is not None]
+        route = _route(_direction(written, message, len(frame)), label, is_timed=written.time is not None)
         record = self._conversation.record(frame, (number,), time_ns, route)
         record.written = written
         record.keep(message)

@@ -37,12 +37,19 @@ class Dialogues:
         self._show = show
         self._is_known = is_known
         self._place = ""
+        self._has_labels = False
 
     def show(self, pair: RequestReply, start_ns: int) -> None:
         """Shows a command with its reply."""
         first = pair.command or pair.last
-        place = "" if first.route.is_text or self._is_known else f"{first.carrier} {first.peer}"
-        if place and place != self._place:
+        place = self._label(pair) if first.route.is_text else f"{first.carrier} {first.peer}"
+        if place and place != self._place and not self._is_known:
             self._place = place
             self._show.aside([(place, Role.HEADING)])
         self._show.pair(pair, start_ns)
+
+    def _label(self, pair: RequestReply) -> str:
+        """Returns the label of a dialogue in a text; empty as long as no command has that of its reply."""
+        command, reply = pair
+        self._has_labels |= command is not None and reply is not None and command.label == reply.label != ""
+        return ((command or pair.last).label or "without a label") if self._has_labels else ""

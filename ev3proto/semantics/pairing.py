@@ -3,6 +3,9 @@
 A reply has the counter of its command, but some programs never change theirs, and send commands before the last one is
 answered. A brick answers in order, so a reply answers the oldest command with its counter that it fits. Replies get
 lost, too: a command that waits for much longer than this brick takes is given up.
+
+A text may have the lines of several bricks. Labels beside the directions may tell them apart: a reply answers a command
+with its own label, unless more replies were found to answer commands with another one, as where a label names a thread.
 """
 
 from __future__ import annotations
@@ -13,7 +16,7 @@ from typing import Generic, NamedTuple, TypeVar
 
 from ev3proto.bounded import Budget, dropper
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, unpack_header
-from ev3proto.tables.frame import COUNTERS, MessageType
+from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MessageType
 
 T = TypeVar("T")
 
@@ -22,6 +25,9 @@ MOST_PENDING = 65536
 
 MOST_PER_KEY = 256
 """Maximum number of remembered commands with the same counter, for senders that never change it."""
+
+MOST_LABELS = 64
+"""Maximum number of labels that tell connections apart."""
 
 PATIENCE = 3
 """A command is given up when it has waited this many times as long as the longest answer that was certain."""
@@ -58,14 +64,15 @@ def pairing_key(frame: bytes) -> tuple[int, int | None]:
         A key, made of the kind of message, the counter and the system command; and the size in bytes of the memory that
         a direct command requests or a direct reply has, None if any fits.
     """
-    _, counter, code = unpack_header(frame)
+    length, counter, code = unpack_header(frame)
     kind, is_system, requests_memory, has_memory = _TYPES[code]
     key = kind + counter
     if is_system and len(frame) > HEADER_SIZE:
         # A plain number, as one is made for each frame.
         key += (1 + frame[HEADER_SIZE]) * _NUMBERS
     if has_memory:
-        return key, len(frame) - HEADER_SIZE
+        # A frame that was cut has its length, too.
+        return key, max(len(frame), LENGTH_FIELD + length) - HEADER_SIZE
     if requests_memory and len(frame) >= COMMAND_HEADER_SIZE:
         return key, read_memory(frame)[0]
     return key, None
@@ -89,6 +96,7 @@ class _Waiting(NamedTuple, Generic[T]):
     time_ns: int | None
     command: T
     given: int  # the budget's id
+    label: str
 
 
 class Pairing(Generic[T]):
@@ -96,6 +104,9 @@ class Pairing(Generic[T]):
 
     A budget limits the memory of all pairings that share it; `size_of` returns the bytes of a command. `give_up` is
     called with each command that is forgotten because it was not answered when it should have been.
+
+    In a text, several bricks may answer (`is_ordered` is false). Then no reply answers a command that it does not fit,
+    and where several commands fit, the pairing of each of them is unsure, also that of the last one that remains.
     """
 
     def __init__(
@@ -104,8 +115,14 @@ class Pairing(Generic[T]):
         budget: Budget | None = None,
         size_of: Callable[[T], int] = sys.getsizeof,
         give_up: Callable[[T], object] | None = None,
+        *,
+        is_ordered: bool = True,
     ) -> None:
         self._most = most
+        self._is_ordered = is_ordered
+        self._unsure: set[int] = set()  # the commands that a reply fitted which was taken for that of another
+        self._labels: set[str] = set()  # those of commands
+        self._alike = self._apart = 0  # replies whose command has their label, and those whose command has another one
         self._budget = Budget(sys.maxsize) if budget is None else budget
         self._size_of = size_of
         self._give_up = give_up
@@ -121,7 +138,14 @@ class Pairing(Generic[T]):
         """The commands still waiting for their reply, oldest first."""
         return [waiting.command for waiting in self._waiting.values()]
 
-    def remember(self, key: Hashable, size: int | None, command: T, time_ns: int | None = None) -> None:
+    @property
+    def has_labels(self) -> bool:
+        """Whether labels tell connections apart, as far as replies have shown."""
+        return self._alike >= self._apart
+
+    def remember(
+        self, key: Hashable, size: int | None, command: T, time_ns: int | None = None, label: str = ""
+    ) -> None:
         """Adds a command that waits for its reply; one too many is given up.
 
         Args:
@@ -129,12 +153,15 @@ class Pairing(Generic[T]):
             size: the size of that reply's memory in bytes, as from `pairing_key`.
             command: The command.
             time_ns: When it was sent, in nanoseconds; None if unknown.
+            label: What a text says of its connection; empty if nothing.
         """
         budget = self._budget
         given = budget.given = budget.given + 1
         number = self._seen
         self._seen = number + 1
-        self._waiting[number] = _Waiting(key, size, time_ns, command, given)
+        self._waiting[number] = _Waiting(key, size, time_ns, command, given, label)
+        if label and len(self._labels) < MOST_LABELS:
+            self._labels.add(label)
         budget.hold(given, self._size_of(command), self._drop, number)
         numbers = self._numbers.setdefault(key, [])
         numbers.append(number)
@@ -145,17 +172,23 @@ class Pairing(Generic[T]):
                 self._oldest += 1
             self._lose(self._oldest)
 
-    def answered(self, key: Hashable, size: int | None, time_ns: int | None = None) -> Answer[T] | None:
+    def answered(
+        self, key: Hashable, size: int | None, time_ns: int | None = None, label: str = ""
+    ) -> Answer[T] | None:
         """Returns the command that a reply answers, None if it was not seen. Earlier ones with its key are given up.
 
         It is the oldest that the reply fits and that was not sent too long ago. If all were, the brick was slow: it is
-        the oldest of them. If it fits none, it is the newest.
+        the oldest of them. If it fits none, it is the newest of an ordered conversation.
         """
         numbers = self._numbers.get(key)
         if numbers is None:
             return None
         waiting = self._waiting
         fitting = [number for number in numbers if size is None or waiting[number].size in (size, None)]
+        if not self._is_ordered:
+            numbers = fitting = self._labelled(fitting, label)
+            if not fitting:
+                return None
         is_sure = len(fitting or numbers) == 1
         number = fitting[0] if fitting else numbers[-1]
         if not is_sure:
@@ -165,7 +198,23 @@ class Pairing(Generic[T]):
             self._longest_ns = max(self._longest_ns, self._age_ns(number, time_ns))
         for earlier in numbers[: numbers.index(number)]:
             self._lose(earlier)
+        if not self._is_ordered:
+            is_sure = is_sure and number not in self._unsure
+            self._unsure.update(fitting)
         return Answer(self._forget(number), is_sure)
+
+    def _labelled(self, fitting: list[int], label: str) -> list[int]:
+        """Returns those of the commands that a reply with a label may answer."""
+        own = [number for number in fitting if self._waiting[number].label == label]
+        if not label or not fitting:
+            return fitting
+        if own:
+            self._alike += 1
+        elif label in self._labels and self._alike > self._apart:
+            return []
+        else:
+            self._apart += 1
+        return own if own and self.has_labels else fitting
 
     def __del__(self) -> None:
         for waiting in self._waiting.values():
@@ -193,6 +242,7 @@ class Pairing(Generic[T]):
 
     def _forget(self, number: int) -> T:
         waiting = self._waiting.pop(number)
+        self._unsure.discard(number)
         self._budget.release(waiting.given)
         numbers = self._numbers[waiting.key]
         numbers.remove(number)

@@ -1,11 +1,17 @@
-"""The numbers of conversations: in the order of their first messages, whatever else was captured before."""
+"""Whose message it is: numbers of conversations, in the order of their first messages; in texts, labels."""
 
 from __future__ import annotations
 
+import json
+
+import pytest
+from support.cli import run_ev3proto_text
 from support.messages import tone, voltage, volts
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, SYN, USBMON, Connection, Device, SerialPort, segment
 from support.packets import Capture as Packets
 from support.reading import records
+
+import ev3proto
 
 A, B = bytes.fromhex("0a0000531600"), bytes.fromhex("0b0000531600")
 
@@ -45,3 +51,96 @@ def test_the_serial_port_between_two_addresses_keeps_its_number() -> None:
     found = [(each.peer, each.connection) for each in records(packets.data())]
     first, second = ("00:16:53:00:00:0a", 1), ("00:16:53:00:00:0b", 2)
     assert found == [first, first, second, second, first, first]
+
+
+# Texts
+
+ANGLE, VOLTS, PERCENT = "99:1D:00:00:00:00:01:60", "81:01:60", "81:12:60"
+LABELLED = f"""\
+[A] Sent 0x|0D:00|2A:00|00|04:00|{ANGLE}|
+[B] Sent 0x|08:00|2A:00|00|04:00|{VOLTS}|
+[B] Recv 0x|07:00|2A:00|02|A4:70:FD:40|
+[A] Recv 0x|07:00|2A:00|02|00:00:48:42|
+[B] Sent 0x|08:00|2B:00|00|01:00|{PERCENT}|
+[A] Recv 0x|07:00|2B:00|02|00:00:80:3F|
+[B] Recv 0x|04:00|2B:00|02|64|
+"""
+
+
+def test_labels_tell_two_bricks_apart() -> None:
+    ready = "INPUT_DEVICE.READY_SI(LAYER=0, NO=0, TYPE=TYPE_KEEP, MODE=0, VALUES=1, VALUES[0]=GV(0)) -> VALUES[0]=50.0"
+    shown = run_ev3proto_text("decode", "--dialogues", "-", stdin=LABELLED).stdout.splitlines()
+    assert shown == [
+        "B",
+        "                 #2 UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.92 V",
+        "A",
+        f"                 #1 {ready}",
+        "                 #6 (a command that was not seen) -> ok",
+        "B",
+        "                 #5 UI_READ.GET_LBATT(PCT=GV(0)) -> PCT=100 %",
+    ]
+    for wanted in ('connection == "B"', "connection == 2"):
+        assert run_ev3proto_text(
+            "decode", "--dialogues", "--filter", wanted, "-", stdin=LABELLED
+        ).stdout.splitlines() == [
+            shown[0],
+            shown[1],
+            shown[-1],
+        ]
+    labels = [(each.label, each.connection) for each in ev3proto.read(LABELLED) if isinstance(each, ev3proto.Record)]
+    assert labels == [("A", 1), ("B", 2), ("B", 2), ("A", 1), ("B", 2), ("A", 1), ("B", 2)]
+
+
+def test_files_of_two_bricks() -> None:
+    begun = "12 00 05 00 01 92 05 00 00 00 2E 2E 2F 70 72 6A 73 2F"
+    text = (
+        f"A send {begun} 61 00\nB send {begun} 62 00\nB recv 06 00 05 00 03 92 00 01\nA recv 06 00 05 00 03 92 00 00\n"
+    )
+    text += "A send 0A 00 06 00 81 93 00 31 32 33 34 35\nB send 0A 00 06 00 81 93 01 36 37 38 39 30\n"
+    listed = run_ev3proto_text("files", "--json", "-", stdin=text).stdout
+    found = [(each["path"], each["bytes"]) for each in map(json.loads, listed.splitlines())]
+    assert found == [("../prjs/a", 5), ("../prjs/b", 5)]
+
+
+@pytest.mark.parametrize(
+    ("labels", "connections"),
+    [
+        # The name of a module or a thread, which command and reply do not share.
+        (["Sender: sent", "Parser: received", "Sender: sent", "Parser: received"], [1, 1, 1, 1]),
+        (["T1 sent", "T2 received", "T2 sent", "T1 received", "T1 sent", "T1 received"], [1, 1, 1, 1, 1, 1]),
+        # Only the commands have one.
+        (["COM3 sent", "received", "COM4 sent", "received"], [1, 1, 2, 2]),
+    ],
+)
+def test_labels_that_do_not_tell_bricks_apart(labels: list[str], connections: list[int]) -> None:
+    frames = [frame for counter in range(len(labels) // 2) for frame in (voltage(counter), volts(counter))]
+    text = "".join(f"{label} {frame.hex(' ')}\n" for label, frame in zip(labels, frames, strict=True))
+    found = [each for each in ev3proto.read(text) if isinstance(each, ev3proto.Record)]
+    assert [each.connection for each in found] == connections
+    assert [value.value for each in found for value in each.values] == [7.5] * (len(labels) // 2)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        # Two commands fit both replies: none of the pairings is sure.
+        (
+            [ANGLE, VOLTS, "0700 2a00 02 a470fd40", "0700 2a00 02 00004842"],
+            ["VALUES[0]=7.92  (the pairing is unsure)", "VALUE=50.0 V  (the pairing is unsure)"],
+        ),
+        # The length tells.
+        ([ANGLE, PERCENT, "0400 2a00 02 64", "0700 2a00 02 00004842"], ["PCT=100 %", "VALUES[0]=50.0"]),
+        # An error fits both, and what then fits none of the rest is not given the value of another.
+        (
+            [ANGLE, PERCENT, "0300 2a00 04", "0700 2a00 02 00004842"],
+            ["error  (the pairing is unsure)", "ok", "no reply"],
+        ),
+    ],
+)
+def test_without_labels_only_one_that_fits_is_sure(lines: list[str], expected: list[str]) -> None:
+    text = ""
+    for line in lines:
+        sizes = {ANGLE: "0d00 2a00 00 0400", VOLTS: "0800 2a00 00 0400", PERCENT: "0800 2a00 00 0100"}
+        text += f"sent {sizes[line]} {line.replace(':', ' ')}\n" if line in sizes else f"received {line}\n"
+    shown = run_ev3proto_text("decode", "--dialogues", "-", stdin=text).stdout.splitlines()
+    assert [line.partition(" -> ")[2] for line in shown] == expected

@@ -260,9 +260,9 @@ NAMES = {
         "direction == received",
     ),
     "connection": _known(
-        _NUMBER,
-        lambda record: (record.connection,),
-        "number of the conversation with a brick, in the order in which they began",
+        Kind("a number or a label", number=True, text=True, is_bare=True),
+        lambda record: (record.connection, record.label) if record.label else (record.connection,),
+        "number of the conversation with a brick, in the order in which they began; in a text, also its label",
         "connection == 2",
     ),
     "interface": _known(

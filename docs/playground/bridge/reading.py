@@ -167,7 +167,7 @@ class Input:
             is_empty = False
             yield record
         if is_empty:
-            yield self._reading.part.nothing(is_filtered=True)
+            yield self._reading.part.nothing(self._wanted)
 
     def _take(self, event: Event) -> None:
         """Takes something that was read."""

@@ -51,10 +51,12 @@ class Series:
     rows: list[Row] = field(default_factory=list)  # in the order of the capture
     size: int = 0  # number of rows and their values together; long texts count as several
     omitted: int = 0  # number of rows beyond MOST_CELLS, which are not kept
+    quantities: dict[str, str] = field(default_factory=dict)  # of columns with readings of devices: what they are
 
     def extend(self, other: Series) -> None:
         """Appends the rows of another capture, and its additional columns."""
         self.units = {**self.units, **other.units}
+        self.quantities |= other.quantities
         self.rows += other.rows
         self.size += other.size
         self.omitted += other.omitted
@@ -89,10 +91,12 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
             continue
         latency = event.latency
         cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
-        for name, unit, cell in columns:
+        for name, value, cell in columns:
             column = sys.intern(name)
             if column not in found.units:
-                found.units[column] = unit
+                found.units[column] = None if value is None else value.unit
+                if value is not None and value.quantity:
+                    found.quantities[column] = value.quantity
                 found.size += len(column) // _CELL
             cells[column] = cell
             found.size += len(cell) // _CELL if isinstance(cell, str) else 0
@@ -103,12 +107,12 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
     return found
 
 
-def _columns(event: Record) -> Iterator[tuple[str, str | None, Cell]]:
-    """Yields the values of a message: the name of the column, the unit, the value."""
+def _columns(event: Record) -> Iterator[tuple[str, Value | None, Cell]]:
+    """Yields the values of a message: the name of the column, the value of the reply that it is in, the cell."""
     if event.request is not None:
         for value, name in _named(event):
             for suffix, cell in _cells(value):
-                yield name + suffix, value.unit, cell
+                yield name + suffix, value, cell
     elif isinstance(event.message, SystemCommand):
         prefix = f"{event.message.command}({event.message.fields.get('name', '')!s})"
         for kind, reading in event.message.readings.items():

@@ -93,7 +93,8 @@ def _narrowed(found: Series, form: str) -> Series:
 
 
 def _titles(found: Series) -> list[str]:
-    return [f"{name} [{unit}]" if unit else name for name, unit in found.units.items()]
+    named = {name: f"{name} {found.quantities.get(name, '')}".rstrip() for name in found.units}
+    return [f"{named[name]} [{unit}]" if unit else named[name] for name, unit in found.units.items()]
 
 
 def _text(cell: Cell | None) -> str:

@@ -11,6 +11,7 @@ from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, results
+from ev3proto.semantics.readings import dataset_of
 from ev3proto.tables import mailboxes
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import RANGES, STRING_CODING
@@ -49,6 +50,7 @@ class Value(NamedTuple):
     symbol   name of the number in its enumeration, or None
     offset   of its first byte in the reply's frame
     length   bytes in the reply's frame
+    quantity what a reading of a device is, such as `angle`; None if type and mode of the command do not tell
     """
 
     op: str
@@ -60,6 +62,7 @@ class Value(NamedTuple):
     symbol: str | list[str | None] | None = None
     offset: int = 0
     length: int = 0
+    quantity: str | None = None
 
     @property
     def full_name(self) -> str:
@@ -172,16 +175,20 @@ def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | 
         numbers = [number for (number,) in _LAYOUTS[kind].iter_unpack(memory[start : start + length])]
         value = numbers
         symbol = [parameter.enum.name_of(number) for number in numbers] if parameter.enum else None
+    unit, quantity = None if argument.form.handle else parameter.unit, None
+    if dataset := dataset_of(found.operation.arguments, found.number):
+        unit, quantity = dataset.unit or None, dataset.name
     return Value(
         found.operation.name,
         found.operation.command,
         argument.name,
         value,
-        None if argument.form.handle else parameter.unit,
+        unit,
         kind.label,
         symbol,
         HEADER_SIZE + start,
         length,
+        quantity,
     )
 
 

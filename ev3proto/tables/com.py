@@ -509,7 +509,7 @@ COM = (
             ),
             BOX_NAME,
             In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
-            Count("VALUES", "number of values of TYPE follow; exactly one for a string", "TYPE"),
+            Count("VALUES", "number of values of TYPE follow; exactly one for a string", "TYPE", each="value of TYPE"),
         ),
         effects=(Effect.SENDS_MESSAGES,),
     ),
@@ -520,7 +520,13 @@ COM = (
         (
             BOX_NO,
             In("LENGTH", DATA8, "maximum number of bytes to read, ignored by the firmware", unit="bytes"),
-            Count("VALUES", "number of values that follow, in the type of MAILBOX_OPEN", ARRAY_TYPED, Direction.OUT),
+            Count(
+                "VALUES",
+                "number of values that follow, in the type of MAILBOX_OPEN",
+                ARRAY_TYPED,
+                Direction.OUT,
+                each="value",
+            ),
         ),
         effects=(Effect.VARIES, Effect.USES_MAILBOXES),
     ),

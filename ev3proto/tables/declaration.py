@@ -73,6 +73,8 @@ class Role(Enum):
     FILE = "the handle of a file that the same command opens"
     ARRAY = "the handle of an array that the same command creates"
     FORMAT = "a format of C's printf"
+    SI_READING = "a reading of a device in its unit, as its type and mode tell"
+    RAW_READING = "a raw reading of a device"
     PUBLIC = "a text or list that says nothing about its owner: names of devices and modes, units, versions"
 
 
@@ -176,6 +178,7 @@ class Parameter(NamedTuple):
                (others), or that number itself where it is fixed
     element    for lists: the type of each value, or the name of the parameter that gives the type
     elements   for lists: the direction of each value
+    each       for lists: description of each value
     counts     for lists: it is the count itself, and the values follow it; else the parameter before it is the count
     validated  the type that the firmware's validator assumes, where that differs from `type`
     most       for texts: largest number of bytes, the zero included, where the firmware has a limit
@@ -213,6 +216,7 @@ class Parameter(NamedTuple):
     any_type: bool = False
     letters: str = ""
     suffix: str = ""
+    each: str = ""
 
     @property
     def is_list(self) -> bool:
@@ -230,7 +234,9 @@ class Parameter(NamedTuple):
     def listed(self) -> Parameter:
         """Each value of a list, as a parameter; of type ARRAY_TYPED where another parameter gives the type."""
         kind = self.element if isinstance(self.element, Type) else ARRAY_TYPED
-        return self._replace(type=kind, direction=self.elements, element=None, counts=False)
+        return self._replace(
+            type=kind, direction=self.elements, text=self.each or self.text, element=None, counts=False
+        )
 
     @property
     def is_output(self) -> bool:
@@ -270,6 +276,7 @@ class Facts(TypedDict, total=False):
     any_type: bool
     letters: str
     suffix: str
+    each: str
 
 
 def In(name: str, type: Type, text: str, **facts: Unpack[Facts]) -> Parameter:  # noqa: N802 - a word of the tables' language

@@ -19,7 +19,33 @@ class Range(NamedTuple):
     most: float
 
 
+class Dataset(NamedTuple):
+    """One value of a reading: what it measures, and its unit as written, empty where it has none."""
+
+    name: str
+    unit: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name}, in {self.unit}" if self.unit else self.name
+
+
 _PERCENT = Range(0, 100)
+
+UNITS = {
+    "pct": "%",
+    "deg": "degrees",
+    "d/s": "degrees/s",
+    "rot": "rotations",
+    "c": "°C",
+    "f": "°F",
+    "cm": "cm",
+    "inch": "inches",
+    "V": "V",
+    "A": "A",
+    "J": "J",
+    "W": "W",
+}
+"""Units as they are written, by the firmware's symbol; the other symbols are words for counts and choices."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +60,8 @@ class Mode:
     raw       raw values that map to `si` and `percent`
     si        values in the unit
     percent   values in percent
-    symbol    the unit
+    symbol    the unit, as the firmware shows it
+    values    what each value of a reading is; empty where that is not documented
     """
 
     name: str
@@ -46,6 +73,7 @@ class Mode:
     si: Range
     symbol: str = ""
     percent: Range = _PERCENT
+    values: tuple[Dataset, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -53,17 +81,26 @@ class DeviceType:
     """A type of sensor or motor.
 
     number      its number, see TYPE
+    title       what people call it
     connection  how it is connected, see CONN
     views       number of modes, from the first on, in the brick's own menus
     modes       by number
     settling    milliseconds that it is busy after a change of type or mode, until it has a new value
+    is_sold     whether there are devices of it: the firmware knows further types
     """
 
     number: int
+    title: str
     connection: int
     views: int
     modes: tuple[Mode, ...]
     settling: int = 0
+    is_sold: bool = True
+
+    @property
+    def is_motor(self) -> bool:
+        """Whether it is a motor."""
+        return self.connection == CONN.members["CONN_OUTPUT_TACHO"]
 
 
 _BITS8, _BITS16, _BITS32 = (DATA_FORMAT.members[name] for name in ("DATA_8", "DATA_16", "DATA_32"))
@@ -77,207 +114,262 @@ def _mode(
     shown: str,
     raw: tuple[float, float],
     symbol: str = "",
-    *,
+    *values: str | Dataset,
     si: tuple[float, float] | None = None,
     datasets: int = 1,
     percent: Range = _PERCENT,
 ) -> Mode:
-    """Builds a mode; `si` defaults to the raw range, `shown` is figures and decimals, as in 5.1."""
+    """Builds a mode.
+
+    `si` defaults to the raw range, `shown` is figures and decimals, as in 5.1; `values` has the names of all datasets,
+    whose unit is that of the symbol, or which have their own.
+    """
     figures, decimals = map(int, shown.split("."))
-    return Mode(name, datasets, format, figures, decimals, Range(*raw), Range(*(si or raw)), symbol, percent)
+    named = tuple(Dataset(one, UNITS.get(symbol, "")) if isinstance(one, str) else one for one in values)
+    count = len(named) or datasets
+    return Mode(name, count, format, figures, decimals, Range(*raw), Range(*(si or raw)), symbol, percent, named)
 
 
-def _device(type: str, connection: str, views: int, *modes: Mode, settling: int = 0) -> DeviceType:
-    return DeviceType(TYPE.members[type], CONN.members[connection], views, modes, settling)
+def _device(
+    type: str, title: str, connection: str, views: int, *modes: Mode, settling: int = 0, is_sold: bool = True
+) -> DeviceType:
+    return DeviceType(TYPE.members[type], title, CONN.members[connection], views, modes, settling, is_sold)
 
 
-def _plain(number: int, connection: str, name: str, format: int = _BITS8, shown: str = "3.0") -> DeviceType:
-    """Builds a type without a manual that shows what the converter measures."""
-    return DeviceType(number, CONN.members[connection], 1, (_mode(name, format, shown, (0, 4095)),))
+def _unused(number: int, connection: str, *modes: Mode, title: str = "") -> DeviceType:
+    """Builds a type that the firmware knows and that no device has."""
+    title = title or f"unused type {number}"
+    return DeviceType(number, title, CONN.members[connection], len(modes), modes, is_sold=False)
 
 
-def _motor(type: str, name: str) -> DeviceType:
+def _converted(name: str, format: int = _BITS8, shown: str = "3.0") -> Mode:
+    """Builds a mode that shows what the converter measures."""
+    return _mode(name, format, shown, (0, 4095))
+
+
+def _motor(type: str, title: str, name: str) -> DeviceType:
     return _device(
         type,
+        title,
         "CONN_OUTPUT_TACHO",
         2,
-        _mode(f"{name}-DEG", _BITS32, "4.0", (-180, 180), "deg"),
-        _mode(f"{name}-ROT", _BITS32, "4.0", (-36000, 36000), "rot", si=(-100, 100)),
-        _mode(f"{name}-SPD", _BITS8, "3.0", (-100, 100), "pct", percent=Range(-100, 100)),
+        _mode(f"{name}-DEG", _BITS32, "4.0", (-180, 180), "deg", "angle"),
+        _mode(f"{name}-ROT", _BITS32, "4.0", (-36000, 36000), "rot", "angle", si=(-100, 100)),
+        _mode(f"{name}-SPD", _BITS8, "3.0", (-100, 100), "pct", "speed", percent=Range(-100, 100)),
     )
 
+
+_CHANNELS = (1, 2, 3, 4)
+_BEACONS = tuple(
+    dataset
+    for number in _CHANNELS
+    for dataset in (Dataset(f"heading on channel {number}"), Dataset(f"distance on channel {number}", "%"))
+)
+_ENERGY = (
+    Dataset("input voltage", "V"),
+    Dataset("input current", "A"),
+    Dataset("output voltage", "V"),
+    Dataset("output current", "A"),
+    Dataset("energy", "J"),
+    Dataset("input power", "W"),
+    Dataset("output power", "W"),
+)
 
 _DEVICES = (
     _device(
         "TYPE_NXT_TOUCH",
+        "NXT touch sensor",
         "CONN_NXT_DUMB",
         1,
-        _mode("NXT-TOUCH", _BITS16, "1.0", _INVERSE_TOUCH, si=(0, 1)),
-        _mode("NXT-BUMPS", _BITS32, "5.0", (0, 100), "cnt"),
+        _mode("NXT-TOUCH", _BITS16, "1.0", _INVERSE_TOUCH, "", "pressed", si=(0, 1)),
+        _mode("NXT-BUMPS", _BITS32, "5.0", (0, 100), "cnt", "bumps"),
     ),
     _device(
         "TYPE_NXT_LIGHT",
+        "NXT light sensor",
         "CONN_NXT_DUMB",
         2,
-        _mode("NXT-REFLECT", _BITS16, "3.0", (3372, 445), "pct", si=(0, 100)),
-        _mode("NXT-AMBIENT", _BITS16, "3.0", (3411, 633), "pct", si=(0, 100)),
+        _mode("NXT-REFLECT", _BITS16, "3.0", (3372, 445), "pct", "reflected light", si=(0, 100)),
+        _mode("NXT-AMBIENT", _BITS16, "3.0", (3411, 633), "pct", "ambient light", si=(0, 100)),
         settling=20,
     ),
     _device(
         "TYPE_NXT_SOUND",
+        "NXT sound sensor",
         "CONN_NXT_DUMB",
         2,
-        _mode("NXT-SND-DB", _BITS16, "3.0", (4095, 0), "pct", si=(0, 100)),
-        _mode("NXT-SND-DBA", _BITS16, "3.0", (4095, 0), "pct", si=(0, 100)),
+        _mode("NXT-SND-DB", _BITS16, "3.0", (4095, 0), "pct", "loudness", si=(0, 100)),
+        _mode("NXT-SND-DBA", _BITS16, "3.0", (4095, 0), "pct", "loudness", si=(0, 100)),
         settling=300,
     ),
     _device(
         "TYPE_NXT_COLOR",
+        "NXT colour sensor",
         "CONN_NXT_COLOR",
         5,
-        _mode("NXT-COL-REF", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
-        _mode("NXT-COL-AMB", _BITS32, "5.0", (200, 2900), "pct", si=(0, 100)),
-        _mode("NXT-COL-COL", _BITS8, "2.0", (0, 8), "col"),
-        _mode("NXT-COL-GRN", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
-        _mode("NXT-COL-BLU", _BITS32, "5.0", (200, 1500), "pct", si=(0, 100)),
-        _mode("NXT-COL-RAW", _BITS32, "5.0", (0, 10000), datasets=4),
+        _mode("NXT-COL-REF", _BITS32, "5.0", (200, 1500), "pct", "reflected light", si=(0, 100)),
+        _mode("NXT-COL-AMB", _BITS32, "5.0", (200, 2900), "pct", "ambient light", si=(0, 100)),
+        _mode("NXT-COL-COL", _BITS8, "2.0", (0, 8), "col", "colour"),
+        _mode("NXT-COL-GRN", _BITS32, "5.0", (200, 1500), "pct", "reflected light", si=(0, 100)),
+        _mode("NXT-COL-BLU", _BITS32, "5.0", (200, 1500), "pct", "reflected light", si=(0, 100)),
+        _mode("NXT-COL-RAW", _BITS32, "5.0", (0, 10000), "", "red", "green", "blue", "ambient light"),
         settling=300,
     ),
     _device(
         "TYPE_NXT_ULTRASONIC",
+        "NXT ultrasonic sensor",
         "CONN_NXT_IIC",
         2,
-        _mode("NXT-US-CM", _BITS16, "5.0", (0, 255), "cm"),
-        _mode("NXT-US-IN", _BITS16, "5.0", (0, 255), "inch", si=(0, 100)),
+        _mode("NXT-US-CM", _BITS16, "5.0", (0, 255), "cm", "distance"),
+        _mode("NXT-US-IN", _BITS16, "5.0", (0, 255), "inch", "distance", si=(0, 100)),
         settling=300,
     ),
     _device(
         "TYPE_NXT_TEMPERATURE",
+        "NXT temperature sensor",
         "CONN_NXT_IIC",
         2,
-        _mode("NXT-TEMP-C", _BITS16, "5.1", (-14080, 32767), "c", si=(-55, 128)),
-        _mode("NXT-TEMP-F", _BITS16, "5.1", (-14080, 32767), "f", si=(-67, 262.4)),
+        _mode("NXT-TEMP-C", _BITS16, "5.1", (-14080, 32767), "c", "temperature", si=(-55, 128)),
+        _mode("NXT-TEMP-F", _BITS16, "5.1", (-14080, 32767), "f", "temperature", si=(-67, 262.4)),
         settling=300,
     ),
-    _motor("TYPE_TACHO", "L-MOTOR"),
-    _motor("TYPE_MINITACHO", "M-MOTOR"),
-    _plain(9, "CONN_OUTPUT_TACHO", "FREE", _BITS16, "4.0"),
-    _plain(10, "CONN_OUTPUT_DUMB", "O-#02"),
-    _plain(11, "CONN_OUTPUT_DUMB", "O-#03"),
-    _plain(12, "CONN_OUTPUT_DUMB", "O-#04"),
-    _plain(13, "CONN_OUTPUT_DUMB", "O-#05"),
-    _plain(14, "CONN_OUTPUT_DUMB", "O-3th.party"),
-    _plain(15, "CONN_INPUT_DUMB", "I-#01"),
+    _motor("TYPE_TACHO", "EV3 large motor", "L-MOTOR"),
+    _motor("TYPE_MINITACHO", "EV3 medium motor", "M-MOTOR"),
+    _unused(9, "CONN_OUTPUT_TACHO", _converted("FREE", _BITS16, "4.0"), title="new motor"),
+    _unused(10, "CONN_OUTPUT_DUMB", _converted("O-#02")),
+    _unused(11, "CONN_OUTPUT_DUMB", _converted("O-#03")),
+    _unused(12, "CONN_OUTPUT_DUMB", _converted("O-#04")),
+    _unused(13, "CONN_OUTPUT_DUMB", _converted("O-#05")),
+    _unused(14, "CONN_OUTPUT_DUMB", _converted("O-3th.party"), title="output device of another maker"),
+    _unused(15, "CONN_INPUT_DUMB", _converted("I-#01")),
     _device(
         "TYPE_TOUCH",
+        "EV3 touch sensor",
         "CONN_INPUT_DUMB",
         1,
-        _mode("TOUCH", _BITS16, "1.0", (1000, 2000), si=(0, 1)),
-        _mode("BUMPS", _BITS32, "5.0", (0, 1), "cnt"),
+        _mode("TOUCH", _BITS16, "1.0", (1000, 2000), "", "pressed", si=(0, 1)),
+        _mode("BUMPS", _BITS32, "5.0", (0, 1), "cnt", "bumps"),
     ),
-    _plain(17, "CONN_INPUT_DUMB", "I-#03"),
-    _plain(18, "CONN_INPUT_DUMB", "I-#04"),
-    _plain(19, "CONN_INPUT_DUMB", "I-#05"),
-    DeviceType(
+    _unused(17, "CONN_INPUT_DUMB", _converted("I-#03")),
+    _unused(18, "CONN_INPUT_DUMB", _converted("I-#04")),
+    _unused(19, "CONN_INPUT_DUMB", _converted("I-#05")),
+    _unused(
         20,
-        CONN.members["CONN_INPUT_DUMB"],
-        1,
-        (_mode("I-#06", _BITS16, "3.0", (287, 1925), si=(-440, 440), percent=Range(-100, 100)),),
+        "CONN_INPUT_DUMB",
+        _mode("I-#06", _BITS16, "3.0", (287, 1925), si=(-440, 440), percent=Range(-100, 100)),
     ),
-    DeviceType(
-        21, CONN.members["CONN_INPUT_DUMB"], 1, (_mode("TEST", _BITS16, "4.0", (933, 1333), "cnt", si=(0, 1000)),)
+    _unused(
+        21, "CONN_INPUT_DUMB", _mode("TEST", _BITS16, "4.0", (933, 1333), "cnt", si=(0, 1000)), title="EV3 test device"
     ),
-    _plain(22, "CONN_INPUT_DUMB", "I-#08", _BITS16),
-    _plain(23, "CONN_INPUT_DUMB", "I-#09", _BITS16),
-    _plain(24, "CONN_INPUT_DUMB", "I-#10"),
-    _plain(25, "CONN_INPUT_DUMB", "I-#11"),
-    _plain(26, "CONN_INPUT_DUMB", "I-#12"),
-    _plain(27, "CONN_INPUT_DUMB", "I-#13"),
-    DeviceType(
+    _unused(22, "CONN_INPUT_DUMB", _converted("I-#08", _BITS16)),
+    _unused(23, "CONN_INPUT_DUMB", _converted("I-#09", _BITS16)),
+    _unused(24, "CONN_INPUT_DUMB", _converted("I-#10")),
+    _unused(25, "CONN_INPUT_DUMB", _converted("I-#11")),
+    _unused(26, "CONN_INPUT_DUMB", _converted("I-#12")),
+    _unused(27, "CONN_INPUT_DUMB", _converted("I-#13")),
+    _unused(
         28,
-        CONN.members["CONN_INPUT_DUMB"],
-        4,
-        (
-            _mode("3th.party-1", _BITS16, "4.0", (0, 4095)),
-            _mode("3th.party-2", _BITS16, "4.0", (0, 4095), si=(0, 5000)),
-            _mode("3th.party-3", _BITS16, "5.0", (0, 4095), si=(0, 10000)),
-            _mode("3th.party-4", _BITS16, "5.0", (0, 4095), si=(0, 20000)),
-        ),
+        "CONN_INPUT_DUMB",
+        _mode("3th.party-1", _BITS16, "4.0", (0, 4095)),
+        _mode("3th.party-2", _BITS16, "4.0", (0, 4095), si=(0, 5000)),
+        _mode("3th.party-3", _BITS16, "5.0", (0, 4095), si=(0, 10000)),
+        _mode("3th.party-4", _BITS16, "5.0", (0, 4095), si=(0, 20000)),
+        title="analog sensor of another maker",
     ),
     _device(
         "TYPE_COLOR",
+        "EV3 colour sensor",
         "CONN_INPUT_UART",
         3,
-        _mode("COL-REFLECT", _BITS8, "3.0", (0, 100), "pct"),
-        _mode("COL-AMBIENT", _BITS8, "3.0", (0, 100), "pct"),
-        _mode("COL-COLOR", _BITS8, "2.0", (0, 8), "col"),
+        _mode("COL-REFLECT", _BITS8, "3.0", (0, 100), "pct", "reflected light"),
+        _mode("COL-AMBIENT", _BITS8, "3.0", (0, 100), "pct", "ambient light"),
+        _mode("COL-COLOR", _BITS8, "2.0", (0, 8), "col", "colour"),
         _mode("REF-RAW", _BITS16, "4.0", (0, 1020.2), datasets=2),
-        _mode("RGB-RAW", _BITS16, "4.0", (0, 1020.2), datasets=3),
+        _mode("RGB-RAW", _BITS16, "4.0", (0, 1020.2), "", "red", "green", "blue"),
         _mode("COL-CAL", _BITS16, "5.0", (0, 65535), datasets=4),
         settling=10,
     ),
     _device(
         "TYPE_ULTRASONIC",
+        "EV3 ultrasonic sensor",
         "CONN_INPUT_UART",
         3,
-        _mode("US-DIST-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
-        _mode("US-DIST-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
-        _mode("US-LISTEN", _BITS8, "1.0", (0, 1)),
-        _mode("US-SI-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
-        _mode("US-SI-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
-        _mode("US-DC-CM", _BITS16, "5.1", (0, 2550), "cm", si=(0, 255)),
-        _mode("US-DC-IN", _BITS16, "5.1", (0, 1000), "inch", si=(0, 100)),
+        _mode("US-DIST-CM", _BITS16, "5.1", (0, 2550), "cm", "distance", si=(0, 255)),
+        _mode("US-DIST-IN", _BITS16, "5.1", (0, 1000), "inch", "distance", si=(0, 100)),
+        _mode("US-LISTEN", _BITS8, "1.0", (0, 1), "", "other sensor heard"),
+        _mode("US-SI-CM", _BITS16, "5.1", (0, 2550), "cm", "distance", si=(0, 255)),
+        _mode("US-SI-IN", _BITS16, "5.1", (0, 1000), "inch", "distance", si=(0, 100)),
+        _mode("US-DC-CM", _BITS16, "5.1", (0, 2550), "cm", "distance", si=(0, 255)),
+        _mode("US-DC-IN", _BITS16, "5.1", (0, 1000), "inch", "distance", si=(0, 100)),
         settling=10,
     ),
     _device(
         "TYPE_GYRO",
+        "EV3 gyro sensor",
         "CONN_INPUT_UART",
         2,
-        _mode("GYRO-ANG", _BITS16, "4.0", (-180, 180), "deg"),
-        _mode("GYRO-RATE", _BITS16, "3.0", (-440, 440), "d/s"),
+        _mode("GYRO-ANG", _BITS16, "4.0", (-180, 180), "deg", "angle"),
+        _mode("GYRO-RATE", _BITS16, "3.0", (-440, 440), "d/s", "rate"),
         _mode("GYRO-FAS", _BITS16, "4.0", (-2000, 2000)),
-        _mode("GYRO-G&A", _BITS16, "5.0", (-180, 180), datasets=2),
+        _mode(
+            "GYRO-G&A",
+            _BITS16,
+            "5.0",
+            (-180, 180),
+            "",
+            Dataset("angle", "degrees"),
+            Dataset("rate", "degrees/s"),
+        ),
         _mode("GYRO-CAL", _BITS16, "5.0", (0, 65535), datasets=4),
         settling=10,
     ),
     _device(
         "TYPE_IR",
+        "EV3 infrared sensor",
         "CONN_INPUT_UART",
         3,
-        _mode("IR-PROX", _BITS8, "3.0", (0, 100), "pct"),
-        _mode("IR-SEEK", _BITS8, "3.0", (-100, 100), "pct", datasets=8),
-        _mode("IR-REMOTE", _BITS8, "3.0", (0, 10), "btn", datasets=4),
-        _mode("IR-REM-A", _BITS16, "6.0", (0, 65535)),
+        _mode("IR-PROX", _BITS8, "3.0", (0, 100), "pct", "distance"),
+        _mode("IR-SEEK", _BITS8, "3.0", (-100, 100), "pct", *_BEACONS),
+        _mode("IR-REMOTE", _BITS8, "3.0", (0, 10), "btn", *(f"buttons on channel {number}" for number in _CHANNELS)),
+        _mode("IR-REM-A", _BITS16, "6.0", (0, 65535), "", "buttons"),
         _mode("IR-S-ALT", _BITS8, "3.0", (0, 100), "pct", datasets=4),
         _mode("IR-CAL", _BITS16, "5.0", (0, 65535), datasets=2),
         settling=1100,
     ),
     _device(
         "TYPE_ENERGYMETER",
+        "NXT energy meter",
         "CONN_NXT_IIC",
         7,
-        _mode("ES-IN-VOLT", _BITS16, "4.1", (0, 10000), "V", si=(0, 10)),
-        _mode("ES-IN-AMP", _BITS16, "5.3", (0, 10000), "A", si=(0, 10)),
-        _mode("ES-OUT-VOLT", _BITS16, "4.1", (0, 10000), "V", si=(0, 10)),
-        _mode("ES-OUT-AMP", _BITS16, "5.3", (0, 10000), "A", si=(0, 10)),
-        _mode("ES-JOULE", _BITS16, "3.0", (0, 100), "J"),
-        _mode("ES-IN-WATT", _BITS16, "5.3", (0, 10000), "W", si=(0, 10)),
-        _mode("ES-OUT-WATT", _BITS16, "5.3", (0, 10000), "W", si=(0, 10)),
+        _mode("ES-IN-VOLT", _BITS16, "4.1", (0, 10000), "V", "input voltage", si=(0, 10)),
+        _mode("ES-IN-AMP", _BITS16, "5.3", (0, 10000), "A", "input current", si=(0, 10)),
+        _mode("ES-OUT-VOLT", _BITS16, "4.1", (0, 10000), "V", "output voltage", si=(0, 10)),
+        _mode("ES-OUT-AMP", _BITS16, "5.3", (0, 10000), "A", "output current", si=(0, 10)),
+        _mode("ES-JOULE", _BITS16, "3.0", (0, 100), "J", "energy"),
+        _mode("ES-IN-WATT", _BITS16, "5.3", (0, 10000), "W", "input power", si=(0, 10)),
+        _mode("ES-OUT-WATT", _BITS16, "5.3", (0, 10000), "W", "output power", si=(0, 10)),
         # Joules come a thousand times as large, so that they are joules in the unit, too.
-        _mode("ES-ALL", _BITS16, "7.3", (0, 10000), si=(0, 10), datasets=7),
+        _mode("ES-ALL", _BITS16, "7.3", (0, 10000), "", *_ENERGY, si=(0, 10)),
         settling=100,
     ),
     _device(
         "TYPE_IIC_UNKNOWN",
+        "I2C sensor of another maker",
         "CONN_NXT_IIC",
         2,
         _mode("IIC-BYTE", _BITS16, "3.0", (0, 255)),
         _mode("IIC-WORD", _BITS16, "5.0", (0, 65255), si=(0, 65535)),
         settling=100,
+        is_sold=False,
     ),
-    _device("TYPE_NXT_TEST", "CONN_NXT_DUMB", 1, _mode("NXT-TEST", _BITS16, "3.0", (1848, 2248), "cnt", si=(0, 1000))),
-    _device("TYPE_UNKNOWN", "CONN_UNKNOWN", 1, _mode("UNKNOWN", _BITS16, "4.0", (0, 1023))),
-    _device("TYPE_NONE", "CONN_NONE", 1, Mode("NONE", 0, _BITS8, 4, 0, _NOTHING, _NOTHING, "", _NOTHING)),
+    _unused(
+        101,
+        "CONN_NXT_DUMB",
+        _mode("NXT-TEST", _BITS16, "3.0", (1848, 2248), "cnt", si=(0, 1000)),
+        title="NXT test device",
+    ),
+    _unused(125, "CONN_UNKNOWN", _mode("UNKNOWN", _BITS16, "4.0", (0, 1023)), title="unknown device"),
+    _unused(126, "CONN_NONE", Mode("NONE", 0, _BITS8, 4, 0, _NOTHING, _NOTHING, "", _NOTHING), title="no device"),
 )
 
 DEVICE_TYPES = MappingProxyType({device.number: device for device in _DEVICES})

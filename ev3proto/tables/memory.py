@@ -81,7 +81,7 @@ def _init(number: int, name: str, element: Type) -> Command:
             In("INDEX", DATA32, "first element to write, counted from 0", range=(0, ARRAY_ROOM - 1)),
             # A negative count sends the firmware's validator into an endless loop.
             In("ELEMENTS", DATA32, "number of values that follow", range=NOT_NEGATIVE),
-            Values("VALUES", "the values, one parameter each", element),
+            Values("VALUES", "the values, one parameter each", element, each="value"),
         ),
         effects=(Effect.COMPUTES,),
     )

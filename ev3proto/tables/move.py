@@ -90,7 +90,7 @@ MOVE = (
         (
             Out("DESTINATION", DATA8, "first byte to fill", length="LENGTH"),
             In("LENGTH", DATA32, "number of values that follow; a negative count hangs the brick", unit="bytes"),
-            Values("SOURCE", "the values, one per byte", DATA8),
+            Values("SOURCE", "the values, one per byte", DATA8, each="value of one byte"),
         ),
         effects=(Effect.READS,),
     ),

@@ -126,6 +126,7 @@ VM = (
                 "number of parameters follow; the subroutine declares their types and directions",
                 element=DATA32,
                 elements=Direction.IN,
+                each="parameter of the subroutine",
                 any_type=True,
             ),
         ),

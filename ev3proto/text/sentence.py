@@ -192,7 +192,9 @@ def _answer(exchange: Exchange, message: DirectReply | DaisyReply | SystemReply)
         return f"{what}: {said}"
     if message.type is not None and message.type.is_error:
         return f"{what}: it failed"
-    shown = [f"{value.name} is {short_text(value_text(value))}" for value in exchange.values[:MOST_VALUES]]
+    shown = [
+        f"{value.quantity or value.name} is {short_text(value_text(value))}" for value in exchange.values[:MOST_VALUES]
+    ]
     left = len(exchange.values) - len(shown)
     return f"{what}: {', '.join(shown) or _unknown(message)}{f', and {left} more values' if left else ''}"
 

@@ -17,6 +17,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
+from ev3proto.semantics.readings import dataset_of
 from ev3proto.semantics.replies import field_values, guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisySubCommand
@@ -73,9 +74,10 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
         lines.append(Line(spans, cmd.offset, cmd.length))
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
-    for argument in arguments:
+    for number, argument in enumerate(arguments):
         parameter, offset = argument.parameter, argument.offset
         meaning = argument_meaning(argument)
+        dataset = dataset_of(arguments, number)
         if unknown and not unknown.isdisjoint(range(offset, offset + argument.length)):
             value, meaning = "?", ""
         else:
@@ -86,7 +88,7 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
             (" = ", Role.PLAIN),
             (value, Role.VALUE),
             (f" {meaning}" if meaning else "", Role.MEANING),
-            (f"  {_encoding(argument)}: {parameter.text}", Role.ASIDE),
+            (f"  {_encoding(argument)}: {parameter.text if dataset is None else dataset}", Role.ASIDE),
         ]
         lines.append(Line(spans, offset, argument.length))
     return lines
@@ -109,7 +111,7 @@ def _values(exchange: Exchange) -> Iterator[Line]:
             (f" {value.name}", Role.NAME),
             (" = ", Role.PLAIN),
             (value_text(value), Role.VALUE),
-            (f"  {value.type}", Role.ASIDE),
+            (f"  {value.type}" + (f": {value.quantity}" if value.quantity else ""), Role.ASIDE),
         ]
         yield Line(spans, value.offset, value.length, target=value.full_name)
     if message.memory and not exchange.values:

@@ -48,6 +48,24 @@ def test_json() -> None:
     assert rows[1]["values"] == {"latency": 0.004, "INPUT_READ(0,0,0,0).PCT": 100}
 
 
+def test_readings_of_devices_have_their_names_and_units(tmp_path: Path) -> None:
+    log = tmp_path / "gyro.log"
+    log.write_text(
+        "09:00:00 sent 0f 00 2a 00 00 08 00 99 1d 00 00 81 20 03 02 60 64\n"
+        "09:00:01 received 0b 00 2a 00 02 00 00 b4 42 00 00 80 bf\n"
+    )
+    column = "INPUT_DEVICE.READY_SI(0,0,32,3,2).VALUES"
+    titles, row = csv.reader(io.StringIO(run("values", str(log), "--csv").stdout))
+    assert titles[-2:] == [f"{column}[0] angle [degrees]", f"{column}[1] rate [degrees/s]"]
+    assert row[-2:] == ["90", "-1"]
+    (entry,) = map(json.loads, run("values", str(log), "--json").stdout.splitlines())
+    assert entry["values"] == {"latency": 1.0, f"{column}[0]": 90.0, f"{column}[1]": -1.0}
+    entries = [json.loads(line) for line in run("decode", "--json", str(log)).stdout.splitlines()]
+    readings = [("VALUES[0]", "angle", "degrees"), ("VALUES[1]", "rate", "degrees/s")]
+    for found in (entries[0]["operations"][0]["args"][-2:], entries[1]["values"]):
+        assert [(one["name"], one["quantity"], one["unit"]) for one in found] == readings
+
+
 def test_messages_to_mailboxes(tmp_path: Path) -> None:
     log = tmp_path / "robot.log"
     log.write_text(

@@ -81,6 +81,37 @@ def test_values_in_the_form_of_their_parameters(
     assert {value.name: value.value for value in found} == expected
 
 
+GYRO, ULTRASONIC, MOTOR, NXT_TEMPERATURE = 32, 30, 7, 6
+
+
+@pytest.mark.parametrize(
+    ("operation", "expected"),
+    [
+        (("INPUT_DEVICE.READY_SI", 0, 0, GYRO, 3, [GV(0), GV(4)]), [("angle", "degrees"), ("rate", "degrees/s")]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, GYRO, 1, [GV(0), GV(4)]), [("rate", "degrees/s"), (None, None)]),
+        (("INPUT_READSI", 0, 0, ULTRASONIC, 0, GV(0)), [("distance", "cm")]),
+        (("INPUT_READSI", 0, 0, NXT_TEMPERATURE, 1, GV(0)), [("temperature", "°F")]),
+        (("INPUT_READSI", 0, 0, 29, 2, GV(0)), [("colour", None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 3, 33, 1, [GV(4 * n) for n in range(3)]), [
+            ("heading on channel 1", None), ("distance on channel 1", "%"), ("heading on channel 2", None)
+        ]),
+        # Raw values are in the unit where the ranges agree.
+        (("INPUT_DEVICE.READY_RAW", 0, 16, MOTOR, 0, [GV(0)]), [("angle", "degrees")]),
+        (("INPUT_DEVICE.READY_RAW", 0, 0, ULTRASONIC, 0, [GV(0)]), [(None, None)]),
+        # Kept, unknown, in a variable, not documented.
+        (("INPUT_DEVICE.READY_SI", 0, 0, 0, 0, [GV(0)]), [(None, None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, GYRO, -1, [GV(0)]), [(None, None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, GYRO, 9, [GV(0)]), [(None, None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, 77, 0, [GV(0)]), [(None, None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, LV(0), 0, [GV(0)]), [(None, None)]),
+        (("INPUT_DEVICE.READY_SI", 0, 0, GYRO, 4, [GV(0)]), [(None, None)]),
+    ],
+)  # fmt: skip
+def test_readings_of_devices(operation: tuple[Any, ...], expected: list[tuple[str | None, str | None]]) -> None:
+    found = values(ev3proto.operation(*operation), memory=bytes(32))
+    assert [(value.quantity, value.unit) for value in found] == expected
+
+
 def test_names_of_enumerations() -> None:
     kind, mode = values(ev3proto.operation("INPUT_DEVICE.GET_TYPEMODE", 0, 0, GV(0), GV(1)), memory=b"\x1d\x02")
     assert (kind.value, kind.symbol) == (29, "TYPE_COLOR")

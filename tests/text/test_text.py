@@ -126,6 +126,22 @@ def test_a_dialogue_says_why_a_command_was_refused() -> None:
     assert refused("08002a00000400810160", "02") == "ok"
 
 
+def test_readings_of_devices_are_described() -> None:
+    """By type and mode of the command: the gyro sensor's mode 3."""
+    command = bytes.fromhex("0f00 2a00 00 0800 991d 0000 8120 03 02 60 64")
+    reply = bytes.fromhex("0b00 2a00 02 0000b442 000080bf")
+    said = [*shown(command), *shown(reply, before=command)]
+    assert said[-6:-3] == [
+        "    14    VALUES    = 2  LC0: number of values that follow, each in SI units",
+        "    15    VALUES[0] = GV(0)  GV0: angle, in degrees",
+        "    16    VALUES[1] = GV(4)  GV0: rate, in degrees/s",
+    ]
+    assert said[-2:] == [
+        "     5  INPUT_DEVICE.READY_SI VALUES[0] = 90.0 degrees  DATAF: angle",
+        "     9  INPUT_DEVICE.READY_SI VALUES[1] = -1.0 degrees/s  DATAF: rate",
+    ]
+
+
 def test_the_tree_shows_a_cmd_that_is_encoded_longer() -> None:
     assert "     8    CMD = 1  LC1" in shown(bytes.fromhex("09 00 01 00 00 04 00 81 81 01 60"))
 

@@ -160,8 +160,10 @@ def _argument() -> Schema:
         "handle": {"const": True},
         "address": {"const": True},
         "symbol": TEXT,
+        "quantity": TEXT,
+        "unit": TEXT,
     }
-    return object_of(properties, "handle", "address", "symbol")
+    return object_of(properties, "handle", "address", "symbol", "quantity", "unit")
 
 
 def _value() -> Schema:
@@ -175,9 +177,10 @@ def _value() -> Schema:
         "offset": WHOLE,
         "length": WHOLE,
         "unit": TEXT,
+        "quantity": TEXT,
         "symbol": {"anyOf": [TEXT, list_of(maybe(TEXT))]},
     }
-    return object_of(properties, "unit", "symbol")
+    return object_of(properties, "unit", "quantity", "symbol")
 
 
 def _text() -> Schema:

@@ -18,6 +18,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
+from ev3proto.semantics.readings import dataset_of
 from ev3proto.semantics.replies import guesses
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.system import status_meaning
@@ -144,12 +145,22 @@ def operation_record(operation: Operation) -> dict[str, Any]:
         "length": operation.length,
         "args": [_argument(argument) for argument in operation.arguments],
     }
+    if operation.has_outputs:
+        _name_readings(operation, entry["args"])
     cmd = operation.cmd if operation.is_complete else None
     if cmd is not None and cmd.length > 1:
         entry["command_encoding"] = cmd.encoding
     if not operation.is_complete:
         entry["complete"] = False
     return entry
+
+
+def _name_readings(operation: Operation, entries: list[dict[str, Any]]) -> None:
+    """Adds what variables receive from a device."""
+    arguments = operation.arguments
+    for number, entry in enumerate(entries):
+        if dataset := dataset_of(arguments, number):
+            entry |= {"quantity": dataset.name} | ({"unit": dataset.unit} if dataset.unit else {})
 
 
 def _argument(argument: Argument) -> dict[str, Any]:
@@ -184,6 +195,8 @@ def _value(value: Value) -> dict[str, Any]:
     }
     if value.unit is not None:
         entry["unit"] = value.unit
+    if value.quantity is not None:
+        entry["quantity"] = value.quantity
     if value.symbol is not None:
         entry["symbol"] = value.symbol
     return entry

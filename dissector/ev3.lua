@@ -526,15 +526,15 @@ local OPERATIONS = {
             { 25, "GET_CHANGES", "Reads how often a touch sensor changed to pressed since CLR_CHANGES", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } ]] },
             { 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } } ]] },
             { 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "VALUES", IN, COUNT, "number of values that follow, each in percent", element = DATA8, elements = OUT } ]] },
-            { 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "VALUES", IN, COUNT, "number of raw values that follow", element = DATA32, elements = OUT } ]] },
-            { 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "VALUES", IN, COUNT, "number of values that follow, each in SI units", element = DATAF, elements = OUT } ]] },
+            { 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "VALUES", IN, COUNT, "number of raw values that follow", reading = "raw", element = DATA32, elements = OUT } ]] },
+            { 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "VALUES", IN, COUNT, "number of values that follow, each in SI units", reading = "si", element = DATAF, elements = OUT } ]] },
             { 30, "GET_MINMAX", "Reports the range of SI values of the current mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "MIN", OUT, DATAF, "smallest value in SI units" }, { "MAX", OUT, DATAF, "largest value in SI units" } ]] },
             { 31, "GET_BUMPS", "Reads how often a touch sensor changed to released since CLR_CHANGES", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } ]] },
         } },
     { 0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "PCT", OUT, DATA8, "value, NaN if there is none", unit = "%" } ]] },
     { 0x9B, "INPUT_TEST", "Reports whether a device is still changing type or mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } ]] },
     { 0x9C, "INPUT_READY", "Waits until a device has valid values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } } ]] },
-    { 0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none" } ]] },
+    { 0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none", reading = "si" } ]] },
     { 0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "W303" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "W304" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "W303" } }, { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT, outside = { ", which is not in DATA_FORMAT", "W304" } }, { "VALUES", IN, COUNT, "number of values that follow, each in FORMAT", element = "FORMAT", elements = OUT } ]] },
     { 0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 1, 32 }, outside = { " bytes, outside of 1 to 32 bytes", "W303" } }, { "DATA", IN, DATA8, "bytes to send", length = "BYTES" } ]] },
     { 0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "W303" } }, { "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum = ENUMERATIONS.CONN, outside = { ", which is not in CONN", "W304" } } ]], dialects = { xtended = true, compat = true } },
@@ -690,6 +690,28 @@ local OPERATIONS = {
 for _, row in ipairs(OPERATIONS) do
     NAMES.opcodes[row[1]] = NAMES.opcodes[row[1]] or row[2]
 end
+
+-- Readings -----------------------------------------------------------------------------------------------------------
+--
+-- What devices measure, by type and mode: name and unit of each value. Raw values are in the unit where this
+-- `agrees`.
+
+local READINGS = {
+    [1] = { [0] = { { "pressed" } }, [1] = { { "bumps" }, agrees = true } },
+    [2] = { [0] = { { "reflected light", "%" } }, [1] = { { "ambient light", "%" } } },
+    [3] = { [0] = { { "loudness", "%" } }, [1] = { { "loudness", "%" } } },
+    [4] = { [0] = { { "reflected light", "%" } }, [1] = { { "ambient light", "%" } }, [2] = { { "colour" }, agrees = true }, [3] = { { "reflected light", "%" } }, [4] = { { "reflected light", "%" } }, [5] = { { "red" }, { "green" }, { "blue" }, { "ambient light" }, agrees = true } },
+    [5] = { [0] = { { "distance", "cm" }, agrees = true }, [1] = { { "distance", "inches" } } },
+    [6] = { [0] = { { "temperature", "°C" } }, [1] = { { "temperature", "°F" } } },
+    [7] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "angle", "rotations" } }, [2] = { { "speed", "%" }, agrees = true } },
+    [8] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "angle", "rotations" } }, [2] = { { "speed", "%" }, agrees = true } },
+    [16] = { [0] = { { "pressed" } }, [1] = { { "bumps" }, agrees = true } },
+    [29] = { [0] = { { "reflected light", "%" }, agrees = true }, [1] = { { "ambient light", "%" }, agrees = true }, [2] = { { "colour" }, agrees = true }, [4] = { { "red" }, { "green" }, { "blue" }, agrees = true } },
+    [30] = { [0] = { { "distance", "cm" } }, [1] = { { "distance", "inches" } }, [2] = { { "other sensor heard" }, agrees = true }, [3] = { { "distance", "cm" } }, [4] = { { "distance", "inches" } }, [5] = { { "distance", "cm" } }, [6] = { { "distance", "inches" } } },
+    [32] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "rate", "degrees/s" }, agrees = true }, [3] = { { "angle", "degrees" }, { "rate", "degrees/s" }, agrees = true } },
+    [33] = { [0] = { { "distance", "%" }, agrees = true }, [1] = { { "heading on channel 1" }, { "distance on channel 1", "%" }, { "heading on channel 2" }, { "distance on channel 2", "%" }, { "heading on channel 3" }, { "distance on channel 3", "%" }, { "heading on channel 4" }, { "distance on channel 4", "%" }, agrees = true }, [2] = { { "buttons on channel 1" }, { "buttons on channel 2" }, { "buttons on channel 3" }, { "buttons on channel 4" }, agrees = true }, [3] = { { "buttons" }, agrees = true } },
+    [99] = { [0] = { { "input voltage", "V" } }, [1] = { { "input current", "A" } }, [2] = { { "output voltage", "V" } }, [3] = { { "output current", "A" } }, [4] = { { "energy", "J" }, agrees = true }, [5] = { { "input power", "W" } }, [6] = { { "output power", "W" } }, [7] = { { "input voltage", "V" }, { "input current", "A" }, { "output voltage", "V" }, { "output current", "A" }, { "energy", "J" }, { "input power", "W" }, { "output power", "W" } } },
+}
 
 -- System commands ----------------------------------------------------------------------------------------------------
 --
@@ -1016,6 +1038,8 @@ do
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
             -- What is said of a number outside of what the tables document, and the code of that.
             outside = row.outside,
+            -- Whether it receives a reading of a device, in its unit or raw, and which of its values.
+            reading = type ~= COUNT and row.reading or nil, number = 1,
             limits = SIZE_OF[type] and TYPE_RANGES[type],
         }
     end
@@ -1042,6 +1066,7 @@ do
                 range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
+                reading = row.reading, number = number + 1,
             }
         end)
     end
@@ -1108,7 +1133,10 @@ do
         end
         for _, row in ipairs(rows) do
             if by_name[row.length] then
-                by_name[row.length].tells_length, operation.tells_lengths = true, true
+                by_name[row.length].is_stated, operation.has_stated = true, true
+            end
+            if row.reading then
+                by_name.TYPE.is_stated, by_name.MODE.is_stated, operation.has_stated = true, true, true
             end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
@@ -1589,12 +1617,13 @@ do
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
-    local function value_text(parameter, value)
+    local function value_text(parameter, value, dataset)
         if type(value) == "string" then return phrases.shortened(value) end
         local name = parameter.names and parameter.names[value] or parameter.motors and parameter.motors[value]
         if name then return name end
         local text = phrases.number_text(value)
-        return parameter.unit and text .. " " .. parameter.unit or text
+        local unit = dataset and dataset[2] or parameter.unit
+        return unit and text .. " " .. unit or text
     end
 
     function phrases.argument_text(parameter, encoding, value)
@@ -1603,7 +1632,7 @@ do
     end
 
     local function one_value_text(output, value)
-        return output.is_handle and phrases.number_text(value) or value_text(output.parameter, value)
+        return output.is_handle and phrases.number_text(value) or value_text(output.parameter, value, output.dataset)
     end
 
     function phrases.output_text(output)
@@ -1873,20 +1902,28 @@ end
 
 local reply_values = {}
 do
-    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
-    -- constants that were given for length parameters.
-    function reply_values.stated_length(parameter, lengths, most)
+    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `stated` has the
+    -- constants that were given for length parameters, and for the type and mode of readings.
+    function reply_values.stated_length(parameter, stated, most)
         local length = parameter.length
-        if type(length) == "string" then length = lengths[length] end
+        if type(length) == "string" then length = stated[length] end
         if not length then return most end
         -- Negative lengths: -1 for no limit, others for bytes in reverse order.
         if length == -1 and parameter.type == STRING then return most end
         return floor(math.abs(length))
     end
 
-    -- Tells whether an argument is a constant that is the length of another parameter.
-    function reply_values.tells_length(parameter, encoding)
-        return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
+    -- Returns what a parameter receives from a device, by the stated type and mode: name, and unit if it has one; or
+    -- nil.
+    function reply_values.dataset_of(parameter, stated)
+        local modes = parameter.reading and READINGS[stated.TYPE]
+        local mode = modes and modes[stated.MODE]
+        return mode and (parameter.reading == "si" or mode.agrees) and mode[parameter.number] or nil
+    end
+
+    -- Tells whether an argument is a constant on which the meaning of another one depends.
+    function reply_values.is_stated(parameter, encoding)
+        return parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
     -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
@@ -1901,10 +1938,10 @@ do
 
     -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
     function reply_values.read(output, outputs, memory)
-        local parameter, start, lengths = output.parameter, output.index, output.lengths
+        local parameter, start, stated = output.parameter, output.index, output.stated
         local kind = output.is_handle and HANDLE or parameter.type
         if kind == STRING then
-            local stop = math.min(start + reply_values.stated_length(parameter, lengths, #memory), #memory)
+            local stop = math.min(start + reply_values.stated_length(parameter, stated, #memory), #memory)
             output.value = sub(memory, start + 1, stop):match("^[^\0]*")
             output.size = #output.value
             return start < #memory
@@ -1918,7 +1955,7 @@ do
             return output.value ~= nil
         end
         local room = floor((#memory - start) / size)
-        local count = math.min(reply_values.stated_length(parameter, lengths, room), room)
+        local count = math.min(reply_values.stated_length(parameter, stated, room), room)
         if count < 1 then return false end
         local list = {}
         for index = 1, count do
@@ -1939,12 +1976,12 @@ do
     local new_range = Tvb.range
     local select_operation, read_arguments = reading.select_operation, reading.read_arguments
     local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
-    local NO_LENGTHS = {}
+    local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
-    -- name of an element of a list, with its number.
-    function operations.add_value(tree, parameter, range, value, numbered)
+    -- name of an element of a list, with its number; `dataset` is what it receives from a device.
+    function operations.add_value(tree, parameter, range, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
             local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
@@ -1955,6 +1992,7 @@ do
         end
         local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
         if parameter.special or parameter.flags then meaning = phrases.meaning_of(parameter, value) end
+        if dataset then unit, meaning = dataset[2], "(" .. dataset[1] .. ")" end
         if numbered then
             local name, text = parameter.names and parameter.names[value], phrases.number_text(value)
             label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
@@ -1965,11 +2003,11 @@ do
     end
 
     -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
-    -- frame's `base` there; the requested memory; the operation, where it starts, and the lengths that its arguments
+    -- frame's `base` there; the requested memory; the operation, where it starts, and the constants that its arguments
     -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
     -- `remark` on an argument; without a tree, the `complaints` and the `outputs`. Local variables are faster than a
     -- table for the many arguments.
-    local heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond
+    local heading, buffer, base, globals, locals, operation, start, stated, said, said_count, is_beyond
     local remark, complaints, outputs
 
     local function report(item, kind, at, text)
@@ -2003,7 +2041,7 @@ do
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * reply_values.stated_length(parameter, lengths, 1)
+            size = size * reply_values.stated_length(parameter, stated, 1)
         end
         if index + size <= asked then return end
         is_beyond = true
@@ -2027,12 +2065,12 @@ do
         end
     end
 
-    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, and the lengths that
-    -- the operation's arguments state.
+    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, the constants that
+    -- the operation's arguments state, and what it receives from a device.
     local function note_output(parameter, encoding, index)
         outputs[#outputs + 1] = {
             parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
-            lengths = lengths,
+            stated = stated, dataset = not encoding.handle and reply_values.dataset_of(parameter, stated) or nil,
         }
     end
 
@@ -2056,8 +2094,8 @@ do
                 note_output(parameter, encoding, value)
             end
         else
-            if parameter.tells_length and reply_values.tells_length(parameter, encoding) then
-                lengths[parameter.name] = value
+            if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
+                stated[parameter.name] = value
             end
             local range = parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
@@ -2095,7 +2133,7 @@ do
                 break
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
-            operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
+            operation, start, stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0
@@ -2246,7 +2284,7 @@ do
         local range = bytes_between(view, at, at + output.size)
         local list = output.value
         if type(list) ~= "table" then
-            local item = operations.add_value(tree, parameter, range, list, parameter.numbered)
+            local item = operations.add_value(tree, parameter, range, list, parameter.numbered, output.dataset)
             if output.is_handle then set_text(item, name .. ": handle " .. list) end
             return
         end
@@ -4268,4 +4306,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 110cfad78701c987
+-- Checksum of the lines above, by which a changed file is recognised: 3ce38754707598a5

@@ -24,7 +24,7 @@ def dataset_of(arguments: Sequence[Argument], number: int) -> Dataset | None:
         that is not in the unit.
     """
     role = arguments[number].parameter.role
-    if role not in _READINGS or arguments[number].parameter.is_list:
+    if role not in _READINGS or arguments[number].parameter.is_list or arguments[number].form.handle:
         return None
     named = {argument.name: whole_number(argument) for argument in arguments}
     device, mode_number = DEVICE_TYPES.get(named.get("TYPE") or 0), named.get("MODE")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from itertools import cycle, islice
 
@@ -96,3 +97,39 @@ def test_replies_to_commands_that_come_again(tshark: Tshark) -> None:
     found = tshark.run(path, "-T", "fields", "-e", "_ws.col.Info", "-e", "ev3.ui_read.get_vbatt.value").splitlines()
     values = [volts for number in range(1, 6) for volts in (f"{number}.5", f"{number}.5", "")]
     assert found[1::2] == [f"{line}\t{value}" for line, value in zip(expected, values, strict=True)]
+
+
+def test_readings_of_devices(tshark: Tshark) -> None:
+    """Names and units by type and mode of the command; none where they are kept, and for raw values on a scale."""
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(UNLOCK)
+    expected = []
+    for body, memory, info, lines in (
+        (
+            "0800 991D 00 00 8120 03 02 60 64",
+            struct.pack("<ff", 90, -1),
+            "INPUT_DEVICE.READY_SI: values[0]=90 degrees values[1]=-1 degrees/s",
+            ["VALUES[0]: 90 degrees (angle)", "VALUES[1]: -1 degrees/s (rate)"],
+        ),
+        ("0400 9D 00 00 1E 00 60", struct.pack("<f", 5.5), "INPUT_READSI: 5.5 cm", ["SI: 5.5 cm (distance)"]),
+        ("0400 9D 00 00 1D 02 60", struct.pack("<f", 5), "INPUT_READSI: 5", ["SI: 5 (colour)"]),
+        ("0400 9D 00 00 00 00 60", struct.pack("<f", 5), "INPUT_READSI: 5", ["SI: 5"]),
+        (
+            "0400 991C 00 10 07 00 01 60",
+            struct.pack("<i", 90),
+            "INPUT_DEVICE.READY_RAW: 90 degrees",
+            ["VALUES[0]: 90 degrees (angle)"],
+        ),
+        ("0400 991C 00 00 1E 00 01 60", struct.pack("<i", 55), "INPUT_DEVICE.READY_RAW: 55", ["VALUES[0]: 55"]),
+    ):
+        connection.send(frame(1, "00", body))
+        connection.receive(frame(1, "02", memory.hex()))
+        expected.append([f"reply to {info}", *lines])
+    path = tshark.place(capture.data(), "readings.pcap")
+    text = tshark.run(path, "-2", "-P", "-V", "-O", "ev3", "-Y", "ev3.memory")
+    found = [
+        [re.findall(r"reply to .*", packet)[0], *re.findall(r"^ +((?:VALUES\[.\]|SI): .*)", packet, re.MULTILINE)]
+        for packet in re.split(r"\n\n(?= *\d+ )", text)
+    ]
+    assert found == expected

@@ -650,6 +650,8 @@ def _answer(operation: Operation, value: Value) -> Iterator[Item]:
         name, shown_value, said = _typed(operation, argument, value.value)
         if argument.form.handle and name != "ev3.argument.value":
             said = f"handle {value.value}" if kinds()[name] is int else None
+        elif value.quantity is not None and said is not None:
+            said = " ".join(filter(None, [said, value.unit, f"({value.quantity})"]))
         yield Item(name, shown_value, value.offset, value.length, value.name, said)
         return
     yield Item("ev3.values", None, value.offset, value.length, value.name)

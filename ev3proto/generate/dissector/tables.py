@@ -18,6 +18,7 @@ from ev3proto.semantics import pairing
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
+from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.output import PORT_SETS
@@ -57,6 +58,12 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
         "-- is a name, direction, type and description. Parameters are texts, which are parsed when an operation is\n"
         "-- first seen.",
         _operations(),
+    )
+    yield (
+        "Readings",
+        "What devices measure, by type and mode: name and unit of each value. Raw values are in the unit where this\n"
+        "-- `agrees`.",
+        _readings(),
     )
     yield (
         "System commands",
@@ -213,6 +220,10 @@ MOTORS = {Role.MOTOR: "is_motor", Role.MOTORS: "is_set"}
 """The marks of parameters that name a motor, or a set of them."""
 
 
+READINGS = {Role.SI_READING: "si", Role.RAW_READING: "raw"}
+"""The marks of parameters that receive a reading of a device."""
+
+
 def _parameter(parameter: Parameter) -> Table:
     facts = _presentation(parameter) | _numbers(parameter) | _contents(parameter)
     named = {name: fact for name, fact in facts.items() if fact is not None}
@@ -226,6 +237,7 @@ def _presentation(parameter: Parameter) -> dict[Any, object]:
         "unit": parameter.unit or None,
         "enum": None if parameter.enum is None else Name(f"ENUMERATIONS.{parameter.enum.name}"),
         "special": Table(named=dict(parameter.special)) if parameter.special else None,
+        "reading": READINGS.get(parameter.role) if parameter.role else None,
     } | ({MOTORS[parameter.role]: True} if parameter.role in MOTORS else {})
 
 
@@ -262,6 +274,21 @@ def _contents(parameter: Parameter) -> dict[Any, object]:
         "elements": DIRECTIONS[parameter.elements] if parameter.counts else None,
         "validated": None if validated is None else TYPES[validated],
     }
+
+
+def _readings() -> Iterator[str]:
+    types: dict[Any, object] = {}
+    for device in DEVICE_TYPES.values():
+        modes: dict[Any, object] = {}
+        for number, mode in enumerate(device.modes):
+            named = {"agrees": True} if mode.raw == mode.si else {}
+            if mode.values:
+                modes[number] = Table(
+                    [Table([value.name, *filter(None, [value.unit])]) for value in mode.values], named
+                )
+        if modes:
+            types[device.number] = Table(named=modes)
+    yield f"{_assign('READINGS', Rows(named=types))}\n"
 
 
 def _type(parameter: Parameter) -> Name:

@@ -62,6 +62,8 @@ do
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
             -- What is said of a number outside of what the tables document, and the code of that.
             outside = row.outside,
+            -- Whether it receives a reading of a device, in its unit or raw, and which of its values.
+            reading = type ~= COUNT and row.reading or nil, number = 1,
             limits = SIZE_OF[type] and TYPE_RANGES[type],
         }
     end
@@ -88,6 +90,7 @@ do
                 range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
                 value_key = " " .. name:lower() .. "=",
+                reading = row.reading, number = number + 1,
             }
         end)
     end
@@ -154,7 +157,10 @@ do
         end
         for _, row in ipairs(rows) do
             if by_name[row.length] then
-                by_name[row.length].tells_length, operation.tells_lengths = true, true
+                by_name[row.length].is_stated, operation.has_stated = true, true
+            end
+            if row.reading then
+                by_name.TYPE.is_stated, by_name.MODE.is_stated, operation.has_stated = true, true, true
             end
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end

@@ -54,7 +54,7 @@ do
         local range = bytes_between(view, at, at + output.size)
         local list = output.value
         if type(list) ~= "table" then
-            local item = operations.add_value(tree, parameter, range, list, parameter.numbered)
+            local item = operations.add_value(tree, parameter, range, list, parameter.numbered, output.dataset)
             if output.is_handle then set_text(item, name .. ": handle " .. list) end
             return
         end

@@ -8,12 +8,12 @@ do
     local new_range = Tvb.range
     local select_operation, read_arguments = reading.select_operation, reading.read_arguments
     local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
-    local NO_LENGTHS = {}
+    local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
     -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
-    -- name of an element of a list, with its number.
-    function operations.add_value(tree, parameter, range, value, numbered)
+    -- name of an element of a list, with its number; `dataset` is what it receives from a device.
+    function operations.add_value(tree, parameter, range, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
             local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
@@ -24,6 +24,7 @@ do
         end
         local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
         if parameter.special or parameter.flags then meaning = phrases.meaning_of(parameter, value) end
+        if dataset then unit, meaning = dataset[2], "(" .. dataset[1] .. ")" end
         if numbered then
             local name, text = parameter.names and parameter.names[value], phrases.number_text(value)
             label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
@@ -34,11 +35,11 @@ do
     end
 
     -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
-    -- frame's `base` there; the requested memory; the operation, where it starts, and the lengths that its arguments
+    -- frame's `base` there; the requested memory; the operation, where it starts, and the constants that its arguments
     -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
     -- `remark` on an argument; without a tree, the `complaints` and the `outputs`. Local variables are faster than a
     -- table for the many arguments.
-    local heading, buffer, base, globals, locals, operation, start, lengths, said, said_count, is_beyond
+    local heading, buffer, base, globals, locals, operation, start, stated, said, said_count, is_beyond
     local remark, complaints, outputs
 
     local function report(item, kind, at, text)
@@ -72,7 +73,7 @@ do
         local asked = is_global and globals or locals
         if not asked or is_beyond and not item then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * reply_values.stated_length(parameter, lengths, 1)
+            size = size * reply_values.stated_length(parameter, stated, 1)
         end
         if index + size <= asked then return end
         is_beyond = true
@@ -96,12 +97,12 @@ do
         end
     end
 
-    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, and the lengths that
-    -- the operation's arguments state.
+    -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, the constants that
+    -- the operation's arguments state, and what it receives from a device.
     local function note_output(parameter, encoding, index)
         outputs[#outputs + 1] = {
             parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
-            lengths = lengths,
+            stated = stated, dataset = not encoding.handle and reply_values.dataset_of(parameter, stated) or nil,
         }
     end
 
@@ -125,8 +126,8 @@ do
                 note_output(parameter, encoding, value)
             end
         else
-            if parameter.tells_length and reply_values.tells_length(parameter, encoding) then
-                lengths[parameter.name] = value
+            if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
+                stated[parameter.name] = value
             end
             local range = parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
@@ -164,7 +165,7 @@ do
                 break
             end
             if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
-            operation, start, lengths = selected, at, selected.tells_lengths and {} or NO_LENGTHS
+            operation, start, stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
             local is_said = item ~= nil or not first
             said, said_count = is_said and "", 0

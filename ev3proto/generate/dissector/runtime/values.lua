@@ -5,20 +5,28 @@
 
 local reply_values = {}
 do
-    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `lengths` has the
-    -- constants that were given for length parameters.
-    function reply_values.stated_length(parameter, lengths, most)
+    -- Returns the number of bytes or elements of a parameter, by its length parameter, else `most`. `stated` has the
+    -- constants that were given for length parameters, and for the type and mode of readings.
+    function reply_values.stated_length(parameter, stated, most)
         local length = parameter.length
-        if type(length) == "string" then length = lengths[length] end
+        if type(length) == "string" then length = stated[length] end
         if not length then return most end
         -- Negative lengths: -1 for no limit, others for bytes in reverse order.
         if length == -1 and parameter.type == STRING then return most end
         return floor(math.abs(length))
     end
 
-    -- Tells whether an argument is a constant that is the length of another parameter.
-    function reply_values.tells_length(parameter, encoding)
-        return parameter.tells_length and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
+    -- Returns what a parameter receives from a device, by the stated type and mode: name, and unit if it has one; or
+    -- nil.
+    function reply_values.dataset_of(parameter, stated)
+        local modes = parameter.reading and READINGS[stated.TYPE]
+        local mode = modes and modes[stated.MODE]
+        return mode and (parameter.reading == "si" or mode.agrees) and mode[parameter.number] or nil
+    end
+
+    -- Tells whether an argument is a constant on which the meaning of another one depends.
+    function reply_values.is_stated(parameter, encoding)
+        return parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
     end
 
     -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
@@ -33,10 +41,10 @@ do
 
     -- Reads the `value` of an output, which may be a list, and its `size`. Returns false if the memory ends before it.
     function reply_values.read(output, outputs, memory)
-        local parameter, start, lengths = output.parameter, output.index, output.lengths
+        local parameter, start, stated = output.parameter, output.index, output.stated
         local kind = output.is_handle and HANDLE or parameter.type
         if kind == STRING then
-            local stop = math.min(start + reply_values.stated_length(parameter, lengths, #memory), #memory)
+            local stop = math.min(start + reply_values.stated_length(parameter, stated, #memory), #memory)
             output.value = sub(memory, start + 1, stop):match("^[^\0]*")
             output.size = #output.value
             return start < #memory
@@ -50,7 +58,7 @@ do
             return output.value ~= nil
         end
         local room = floor((#memory - start) / size)
-        local count = math.min(reply_values.stated_length(parameter, lengths, room), room)
+        local count = math.min(reply_values.stated_length(parameter, stated, room), room)
         if count < 1 then return false end
         local list = {}
         for index = 1, count do

@@ -125,7 +125,7 @@ FACES = {
         "wire_format",
     ),
     "semantics": (
-        *("advice", "domain", "facts", "flow", "footprint", "identify", "mangled", "pairing", "replies"),
+        *("advice", "domain", "facts", "flow", "footprint", "identify", "mangled", "pairing", "readings", "replies"),
         *("drafts.functions", "drafts.placeholders"),
     ),
     "checking": ("checking", "codes", "fixing", "nearest", "program_codes", "report", "verdict"),

@@ -14,16 +14,18 @@ from ev3proto.messages import (
 )
 from ev3proto.schema.frame import FrameReader, frame_reader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, unpack_header
-from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.facts import ParameterFacts, operation_facts
+from ev3proto.semantics.judgement import Wrong, judged
 from ev3proto.tables import OPCODES
-from ev3proto.tables.claims import NEVER_SENT, NOT_TELLING, NXT_MASK, NXT_WRITE, ONLY_IN_PROGRAMS
+from ev3proto.tables.claims import NEVER_SENT, NOT_TELLING, NXT_MASK, NXT_WRITE, ONLY_IN_PROGRAMS, STILL_SENT
 from ev3proto.tables.daisy import MOST_LAYERS
-from ev3proto.tables.declaration import DIALECTS, Role, Type
-from ev3proto.tables.encoding import GLOBAL, TEXT
+from ev3proto.tables.declaration import DIALECTS, Role
+from ev3proto.tables.encoding import GLOBAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES
 
 _NUMBERS = {opcode.name: opcode.number for opcode in OPCODES}
 _NOT_TELLING = frozenset(_NUMBERS[name] for name in NOT_TELLING)
+_STILL_SENT = frozenset(Wrong[name] for name in STILL_SENT)
 _NOT_SENT = frozenset(_NUMBERS[name] for name in (NEVER_SENT, *ONLY_IN_PROGRAMS))
 
 
@@ -70,27 +72,23 @@ def _fits(command: DirectCommand, *, is_cut: bool) -> bool:
         and not opcodes <= _NOT_TELLING
         and not opcodes & _NOT_SENT
         and all(
-            _is_in_place(argument, command.local_size, command.global_size)
+            _is_in_place(facts.of(number, argument.parameter), argument, command.local_size, command.global_size)
             for operation in command.operations
-            for argument in operation.arguments
+            for facts in (operation_facts(operation.schema),)
+            for number, argument in enumerate(operation.arguments)
         )
     )
 
 
-def _is_in_place(argument: Argument, local_size: int, global_size: int) -> bool:
+def _is_in_place(known: ParameterFacts, argument: Argument, local_size: int, global_size: int) -> bool:
     value, parameter = argument.value, argument.parameter
     if argument.is_variable:
         assert isinstance(value, int)
         return value < (global_size if argument.form.kind == GLOBAL else local_size)
-    if parameter.is_output:
-        return False
-    is_text = argument.form.kind == TEXT
-    if is_text or isinstance(value, str) or parameter.type is Type.STRING:
-        return is_text and parameter.type is Type.STRING
     if parameter.role is Role.MOTORS and not value:
         return False
-    domain = domain_of(parameter)
-    return domain is None or domain.covers(value)
+    wrong = judged(known, argument)
+    return wrong is None or wrong.wrong in _STILL_SENT
 
 
 def proves(reply: bytes, command: bytes) -> bool:

@@ -7,11 +7,26 @@ messages between bricks, 9 encodings.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import with_length
+from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import operations
+from ev3proto.tables.validation import LABELS
+
+
+class Words(NamedTuple):
+    """What a finding says: templates with named parts, such as {name} and {value}."""
+
+    message: str
+    help: str
+
+
+_Texts = Mapping[Wrong | str, Words]
+_NO_WORDS: _Texts = MappingProxyType({})
 
 
 class FindingCode(NamedTuple):
@@ -25,6 +40,7 @@ class FindingCode(NamedTuple):
     counterexample: bytes  # nearly the same frame, which does not raise it
     carrier: str | None = None  # the carrier that both need, None if it does not matter
     alone: bool = False  # whether it is only for a frame that is not among others
+    words: _Texts = _NO_WORDS  # its words, by what is wrong with a value or by a name
 
     def finding(
         self,
@@ -38,6 +54,9 @@ class FindingCode(NamedTuple):
         """Returns a finding with this code; the parameters are those of `Finding`."""
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
+
+NO_PORTS = "NO_PORTS"
+"""A bit mask without a port."""
 
 CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
@@ -53,10 +72,11 @@ def _code(
     counterexample: bytes,
     carrier: str | None = None,
     alone: bool = False,
+    words: _Texts = _NO_WORDS,
 ) -> FindingCode:
     severity = _SEVERITIES[code[0]]
     entry = CODES[code] = FindingCode(
-        code, severity, title, explanation.strip(), example, counterexample, carrier, alone
+        code, severity, title, explanation.strip(), example, counterexample, carrier, alone, words
     )
     return entry
 
@@ -248,6 +268,12 @@ FIRST_OUT_OF_RANGE = _code(
     """,
     _sized("2A:00|80|00:00|A6:82:2C:01:01"),
     _sized("2A:00|80|00:00|A6:00:01"),
+    words={
+        Wrong.REFUSED: Words(
+            "{name} is {value}, but the brick accepts only {accepted} in a first parameter",
+            "use {legal}",
+        ),
+    },
 )
 MISALIGNED = _code(
     "E205",
@@ -269,6 +295,12 @@ BAD_LABEL = _code(
     """,
     _sized("2A:00|80|00:00|0D:81:20"),
     _sized("2A:00|80|00:00|0D:01"),
+    words={
+        Wrong.LABEL_NUMBER: Words(
+            f"{{name}} is {{value}}, but labels are 0 to {LABELS - 1}",
+            f"use 1 to {LABELS - 1}; jumps cannot name label 0",
+        ),
+    },
 )
 SPINS = _code(
     "E207",
@@ -367,6 +399,12 @@ TRUNCATED = _code(
     """,
     _sized("2A:00|80|00:00|A3:00:82:2C:01:01"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
+    words={
+        Wrong.TRUNCATED: Words(
+            "{name} is {value}, which the brick truncates to {read}: it is {type}",
+            "use {legal}",
+        ),
+    },
 )
 CONSTANT_OUTPUT = _code(
     "E302",
@@ -377,6 +415,12 @@ CONSTANT_OUTPUT = _code(
     """,
     _sized("2A:00|00|00:00|81:01:00"),
     VOLTAGE,
+    words={
+        Wrong.WRITTEN: Words(
+            "{name} is a constant, but the brick writes to it",
+            "use a variable{large}: global for the reply, or local",
+        ),
+    },
 )
 NUMBER_FOR_TEXT = _code(
     "E303",
@@ -387,6 +431,12 @@ NUMBER_FOR_TEXT = _code(
     """,
     _sized("2A:00|80|00:00|94:02:01:05"),
     _sized("2A:00|80|00:00|94:02:01:84:78:00"),
+    words={
+        Wrong.NUMBER: Words(
+            "{name} is the number {value}, but the brick reads a text",
+            "use a text as LCS, or a variable that holds one",
+        ),
+    },
 )
 TEXT_FOR_NUMBER = _code(
     "E304",
@@ -397,6 +447,12 @@ TEXT_FOR_NUMBER = _code(
     """,
     _sized("2A:00|80|00:00|A3:00:84:31:00:01"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
+    words={
+        Wrong.TEXT: Words(
+            "{name} is a text, but the brick reads a {kind}",
+            "use a number",
+        ),
+    },
 )
 INTEGER_FOR_FLOAT = _code(
     "E305",
@@ -407,6 +463,12 @@ INTEGER_FOR_FLOAT = _code(
     """,
     _sized("2A:00|80|00:10|3F:01:40"),
     _sized("2A:00|80|00:10|3F:83:00:00:80:3F:40"),
+    words={
+        Wrong.WHOLE: Words(
+            "{name} is the whole number {value}, but the brick reads its bits as a float",
+            "write a float as LC4 with the four bytes of an IEEE single",
+        ),
+    },
 )
 LABEL_FOR_NUMBER = _code(
     "E307",
@@ -420,6 +482,12 @@ LABEL_FOR_NUMBER = _code(
     """,
     _sized("2A:00|80|00:00|A5:00:01:A1:14:A6:00:01"),
     _sized("2A:00|80|00:00|A5:00:01:2C:A6:00:01"),
+    words={
+        Wrong.LABEL: Words(
+            "{byte} is LAB1, a label: the brick puts the place of label {value} here, not a number",
+            "write a number as a constant; labels are for jumps",
+        ),
+    },
 )
 NEGATIVE = _code(
     "W301",
@@ -431,6 +499,12 @@ NEGATIVE = _code(
     """,
     _sized("2A:00|80|00:04|30:00:40|9F:00:00:01:82:C8:00"),
     _sized("2A:00|80|00:04|30:00:40|9F:00:00:01:81:C8"),
+    words={
+        Wrong.NEGATIVE: Words(
+            "{name} is {value}, which the brick reads as {read}: it is {type}",
+            "write {read} if these bits are meant, otherwise a number that fits",
+        ),
+    },
 )
 NOT_A_NUMBER = _code(
     "W302",
@@ -442,6 +516,10 @@ NOT_A_NUMBER = _code(
     """,
     _sized("2A:00|80|00:00|A4:00:01:81:80"),
     _sized("2A:00|80|00:00|A4:00:01:81:9C"),
+    words=dict.fromkeys(
+        (Wrong.NAN, Wrong.NAN_FLOAT),
+        Words('{name} is {value}, which means "not a number"', "use a number, unless this is intended"),
+    ),
 )
 OUT_OF_RANGE = _code(
     "W303",
@@ -452,6 +530,16 @@ OUT_OF_RANGE = _code(
     """,
     _sized("2A:00|80|00:00|94:01:01:82:C8:00:82:E8:03"),
     TONE,
+    words={
+        Wrong.OUTSIDE: Words(
+            "{name} is {value}{outside}{aside}",
+            "use {legal}",
+        ),
+        Wrong.MASK: Words(
+            "{name} is {value}, the bit mask of {ports}, but it takes the number of one port",
+            "use {letters}",
+        ),
+    },
 )
 NO_MEMBER = _code(
     "W304",
@@ -462,6 +550,12 @@ NO_MEMBER = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:1F"),
     _sized("2A:00|80|00:00|82:1B:01"),
+    words={
+        Wrong.NO_MEMBER: Words(
+            "{name} is {value}{outside}{aside}",
+            "use {legal}",
+        ),
+    },
 )
 NUMBER_AS_LABEL = _code(
     "W305",
@@ -474,6 +568,13 @@ NUMBER_AS_LABEL = _code(
     """,
     _sized("2A:00|80|00:00|A5:00:01:A1:32:A6:00:01"),
     _sized("2A:00|80|00:00|A5:00:01:81:CE:A6:00:01"),
+    words={
+        Wrong.LABEL_BYTE: Words(
+            f"{{byte}} is LAB1, a label, but labels are 1 to {LABELS - 1}: the brick takes this one as the number"
+            " {read}",
+            "write a number as a constant; labels are for jumps",
+        ),
+    },
 )
 
 
@@ -607,6 +708,12 @@ NAME_TOO_LONG = _code(
     """,
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 120 + "00"),
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 119 + "00"),
+    words={
+        Wrong.LONG: Words(
+            "{name} has {characters}; the firmware accepts at most {most}",
+            "shorten it by {over}",
+        ),
+    },
 )
 NO_HANDLE = _code(
     "W502",
@@ -798,6 +905,7 @@ WRONG_KIND_OF_PORT = _code(
     _sized("2A:00|00|04:00|B3:00:01:60"),
     _sized("2A:00|00|04:00|B3:00:00:60"),
     alone=True,
+    words={NO_PORTS: Words("{name} is 0, a bit mask without a port, so {owner} does nothing", "use {ports}")},
 )
 
 PORT_OF_NEXT_BRICK = _code(
@@ -994,3 +1102,7 @@ LONGER_FORM = _code(
     _sized("2A:00|80|00:00|94:01:81:05:82:B8:01:82:E8:03"),
     _sized("2A:00|80|00:00|94:01:05:82:B8:01:82:E8:03"),
 )
+
+
+OF_VALUES = {wrong: entry for entry in CODES.values() for wrong in entry.words if isinstance(wrong, Wrong)}
+"""The code of each thing that is wrong with a value. A count has none: the rules on lists word it."""

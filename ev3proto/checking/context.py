@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ev3proto.checking.codes import FindingCode
@@ -11,6 +12,7 @@ from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
 from ev3proto.semantics.facts import OperationFacts, operation_facts
+from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
 
@@ -43,6 +45,13 @@ class CheckedOperation:
     def finding_at(self, code: FindingCode, argument: Argument, message: str, help_: str) -> Finding:
         """Returns a finding about one of its arguments."""
         return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
+
+    def finding_of(
+        self, code: FindingCode, key: Wrong | str, argument: Argument, parts: Mapping[str, object]
+    ) -> Finding:
+        """Returns a finding about one of its arguments, in the words of the code; `name` is that of the argument."""
+        message, help_ = (words.format(name=argument.name, **parts) for words in code.words[key])
+        return self.finding_at(code, argument, message, help_)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:

@@ -63,6 +63,7 @@ class ParameterFacts:
 
     Attributes:
         parameter: The declaration.
+        is_first: Whether the validator decides by it: the first argument of an operation without CMD.
         limits: The numbers that its bytes can hold, None if it is not a number of fixed size.
         validated: The validator's requirements.
         size: Bytes of one value in memory, 1 if the type does not tell.
@@ -82,10 +83,13 @@ class ParameterFacts:
         alignment: Alignment when a place is chosen: 1, 2 or 4.
     """
 
-    def __init__(self, parameter: Parameter, indexes: dict[str, int], *, is_element: bool = False) -> None:
+    def __init__(
+        self, parameter: Parameter, indexes: dict[str, int], *, is_first: bool = False, is_element: bool = False
+    ) -> None:
         kind, direction = parameter.type, parameter.direction
         is_untyped = kind is Type.ARRAY_TYPED
         self.parameter = parameter
+        self.is_first = is_first
         self.limits: NumberRange | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
         self.validated = _NOT_VALIDATED if is_element else requirement(parameter)
         self.is_text = kind is Type.STRING
@@ -148,6 +152,12 @@ class ParameterFacts:
         return frozenset(number for number in self.domain.singles if limits.low <= number <= limits.high)
 
 
+@cache
+def facts_of(parameter: Parameter) -> ParameterFacts:
+    """Returns the facts about a parameter without its operation."""
+    return ParameterFacts(parameter, {})
+
+
 class OperationFacts:
     """What follows from the declaration of one operation.
 
@@ -184,7 +194,10 @@ class OperationFacts:
         indexes = {parameter.name: number for number, parameter in enumerate(parameters)}
         self.declaration = declaration
         self.name = declaration.name
-        self.parameters = tuple([ParameterFacts(parameter, indexes) for parameter in parameters])
+        first = None if declaration.command is not None else 0
+        self.parameters = tuple(
+            [ParameterFacts(one, indexes, is_first=number == first) for number, one in enumerate(parameters)]
+        )
         self.effects = frozenset(declaration.effects)
         self.has_cmd = declaration.command is not None
         self.is_jump = declaration.is_jump

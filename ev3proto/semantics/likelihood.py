@@ -6,20 +6,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
 
 from ev3proto.errors import DecodeError
-from ev3proto.messages import Argument
+from ev3proto.messages import Argument, ArgumentValue
 from ev3proto.schema.argument import encode_integer, read_arguments
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, read_memory
 from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.semantics.flow import is_label
+from ev3proto.semantics.judgement import Judgement, Wrong, judged
 from ev3proto.tables import AREAS
-from ev3proto.tables.declaration import Effect, Role, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT
+from ev3proto.tables.declaration import Effect, Role
+from ev3proto.tables.encoding import GLOBAL, JUMP
 
 FAULT = 12.0
 """The cost of an operation that cannot be read."""
@@ -64,57 +64,50 @@ def _of_variable(known: ParameterFacts, argument: Argument, memory: _Memory) -> 
     return cost + (_LONGER if form.width and index < 32 else 0.0)
 
 
-def _of_label(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
-    return 0.5 if known.parameter.role is Role.JUMP and is_label(argument) else _WRONG_KIND
+_COSTS = {
+    **dict.fromkeys((Wrong.WRITTEN, Wrong.TEXT, Wrong.NUMBER, Wrong.LABEL, Wrong.LABEL_BYTE), _WRONG_KIND),
+    **dict.fromkeys((Wrong.REFUSED, Wrong.NAN, Wrong.NEGATIVE, Wrong.TRUNCATED), 7.0),
+    **dict.fromkeys(
+        (Wrong.COUNT, Wrong.NAN_FLOAT, Wrong.OUTSIDE, Wrong.NO_MEMBER, Wrong.MASK, Wrong.LABEL_NUMBER), 5.0
+    ),
+    Wrong.WHOLE: 6.0,
+    Wrong.LONG: 0.0,  # a text's length is rarely a slip
+}
+_NEAR, _MARKED, _ODD_FLOAT, _JUMP_BY_LABEL = 3.0, 6.0, 5.0, 0.5
 
 
-def _of_text(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
-    parameter, text = known.parameter, str(argument.value)
-    if known.is_written or not (known.is_text or parameter.length is not None or parameter.type is Type.ARRAY_TYPED):
-        return _WRONG_KIND
+def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
+    wrong, form, value, parameter = judged(known, argument), argument.form, argument.value, known.parameter
+    if wrong is not None:
+        return _wrongness(wrong) + _layer(known, value)
+    if form.kind == JUMP:
+        return _JUMP_BY_LABEL if parameter.role is Role.JUMP and is_label(argument) else _WRONG_KIND
+    if isinstance(value, str):
+        return _of_text(argument, value)
+    if form.handle or form.address:
+        return _MARKED
+    if isinstance(value, float):
+        return 0.0 if value == 0 or (math.isfinite(value) and 1e-5 < abs(value) < 1e9) else _ODD_FLOAT
+    return _layer(known, value) + (_LONGER if form.width and len(encode_integer(value)) <= form.width else 0.0)
+
+
+def _layer(known: ParameterFacts, value: ArgumentValue) -> float:
+    return 2.0 if known.parameter.role is Role.LAYER and value else 0.0
+
+
+def _of_text(argument: Argument, text: str) -> float:
     cost = 3.0 if argument.form.name != "LCS" or argument.form.handle or argument.form.address else 0.0
     odd = sum([0.0 if " " <= one <= "~" else 1.0 if one >= "\xa0" else 4.0 for one in text if one not in "\n\t"])
     return cost + (min(odd, 6.0) if text else 1.0)
 
 
-def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
-    parameter, value = known.parameter, argument.value
-    if argument.form.handle or argument.form.address:
-        return 6.0
-    if parameter.is_output or (known.is_text and parameter.length is None):
-        return _WRONG_KIND
-    if isinstance(value, float):
-        return 0.0 if value == 0 or (math.isfinite(value) and 1e-5 < abs(value) < 1e9) else 5.0
-    assert isinstance(value, int)
-    if parameter.type is Type.DATAF:
-        return 6.0 if value and parameter.length is None else 0.0
-    return _of_number(known, value, argument.form.width or 0)
-
-
-def _of_number(known: ParameterFacts, value: int, width: int) -> float:
-    cost = 2.0 if known.parameter.role is Role.LAYER and value else 0.0
-    cost += _LONGER if width and len(encode_integer(value)) <= width else 0.0
-    return cost if value in known.legal else cost + _beyond(known, value)
-
-
-def _beyond(known: ParameterFacts, value: int) -> float:
-    """Returns the cost of a number that is not documented, or does not fit its type."""
-    domain, limits = known.domain, known.limits
-    if domain is not None and domain.covers(value):
-        return 0.0
+def _wrongness(judgement: Judgement) -> float:
+    """Returns the cost of what is wrong; less for a number that is little too large."""
+    domain, value = judgement.known.domain, judgement.value
     spans = domain.spans if domain is not None and not domain.has_names else ()
-    if value > 15 and any(1.5 * min(low, 0) <= value <= 1.5 * high for low, high in spans):
-        return 3.0
-    return 5.0 if limits is None or limits.low <= value <= limits.high else 7.0
-
-
-_OF: dict[str, Callable[[ParameterFacts, Argument, _Memory], float]] = {
-    LOCAL: _of_variable,
-    GLOBAL: _of_variable,
-    JUMP: _of_label,
-    TEXT: _of_text,
-    CONSTANT: _of_constant,
-}
+    if isinstance(value, int) and value > 15 and any(1.5 * min(low, 0) <= value <= 1.5 * high for low, high in spans):
+        return _NEAR
+    return _COSTS[judgement.wrong]
 
 
 class Reading(NamedTuple):
@@ -188,7 +181,10 @@ class CommandCode:
 
     def _cost(self, schema: OperationSchema, found: list[Argument]) -> float:
         facts, memory = operation_facts(schema), self.memory
-        costs = [_OF[one.form.kind](facts.of(number, one.parameter), one, memory) for number, one in enumerate(found)]
+        costs = [
+            (_of_variable if one.is_variable else _of_constant)(facts.of(number, one.parameter), one, memory)
+            for number, one in enumerate(found)
+        ]
         return rarity(schema) + sum(costs)
 
     def rest(self, at: int = COMMAND_HEADER_SIZE) -> float:

@@ -20,7 +20,7 @@ A direct command is plausible if
 
 - the instructions of some firmware read it to its end, or to the end of what was captured of its packet;
 - at least one operation is not in `NOT_TELLING`, and none is `NEVER_SENT` or in `ONLY_IN_PROGRAMS`;
-- each argument has a kind and range that its parameter accepts, and each set of motors has one;
+- each argument has a kind and range that its parameter accepts, but for `STILL_SENT`; each set of motors has one;
 - variables are within the memory that the header requests.
 
 A system command is plausible if it fits its fields, is in one packet if it has data, and is not that of the NXT
@@ -51,6 +51,10 @@ ONLY_IN_PROGRAMS = (
     *("LABEL", "PROBE", "DO", "JR"),
 )
 """Opcodes that are rare in commands, and whose numbers are common in other data (small ones, sizes of blocks)."""
+
+STILL_SENT = ("WHOLE", "NAN_FLOAT", "LONG")
+"""What may be wrong with an argument (`semantics/judgement.py`), since programs send it: a whole number for a float, a
+float that is not a number, a text that is too long."""
 
 NXT_WRITE, NXT_MASK = 0x8301, 0xFF7F
 """The NXT's command that writes a piece of a file, at the position of the counter, and the bits to compare.

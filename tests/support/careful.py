@@ -37,7 +37,7 @@ def careful_value(parameter: Parameter, lengths: set[str]) -> st.SearchStrategy[
     if parameter.type is Type.STRING:
         return st.text("abcxyz./", max_size=4)
     if parameter.type is Type.DATAF:
-        return st.floats(-1000, 1000, width=32)
+        return st.floats(*(parameter.range or (-1000, 1000)), width=32)
     if parameter.range is not None:
         return st.integers(*parameter.range) | st.sampled_from(list(parameter.special) or [parameter.range[0]])
     if parameter.enum is not None:

@@ -41,12 +41,9 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
     """Yields a hint about the number of a port that may be meant as a bit mask, and about a mask of no port."""
     role, number = argument.parameter.role, whole_number(argument)
     if role is Role.MOTORS and number == 0:
-        yield operation.finding_at(
-            codes.WRONG_KIND_OF_PORT,
-            argument,
-            f"{argument.name} is 0, a bit mask without a port, so {operation.name} does nothing",
-            f"use {', '.join(f'{1 << port} for {letter}' for port, letter in PORTS.items())}, or the sum of several",
-        )
+        masks = ", ".join(f"{1 << port} for {letter}" for port, letter in PORTS.items())
+        parts = {"owner": operation.name, "ports": f"{masks}, or the sum of several"}
+        yield operation.finding_of(codes.WRONG_KIND_OF_PORT, codes.NO_PORTS, argument, parts)
     elif role is Role.PORT and number == len(SensorPort):
         yield operation.finding_at(
             codes.PORT_OF_NEXT_BRICK,

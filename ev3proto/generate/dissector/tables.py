@@ -8,7 +8,7 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.checking.codes import NO_MEMBER, OUT_OF_RANGE
+from ev3proto.checking.codes import CODES, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
@@ -16,6 +16,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing
 from ev3proto.semantics.domain import Domain, domain_of
+from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.devices import DEVICE_TYPES
@@ -23,6 +24,7 @@ from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, 
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.output import PORT_SETS
 from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
+from ev3proto.tables.validation import LABELS
 
 TYPES = {member: Name(member.name) for member in Type}
 DIRECTIONS = {member: Name(member.name) for member in Direction}
@@ -74,6 +76,11 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     yield "Daisy chain", "Messages between bricks that are connected by USB.", _daisy()
     yield "Pairing", "When a reply answers a command; times are in nanoseconds.", _pairing()
     yield "Claims", "When traffic is claimed as this protocol.", _claims()
+    yield (
+        "Findings",
+        "What is said of constants: code and words. The brick refuses those of REFUSED.",
+        _findings(),
+    )
     yield "USB and Bluetooth", "How a brick is recognised.", _carriers()
     yield "WiFi", "The texts before the first frame.", _unlock()
     yield (
@@ -250,9 +257,11 @@ def _numbers(parameter: Parameter) -> dict[Any, object]:
     return {
         "range": _range(parameter, domain),
         "is_ranged": True if parameter.range is not None and parameter.enum is not None else None,
-        "outside": Table([domain.outside, (NO_MEMBER if domain.has_names else OUT_OF_RANGE).code])
+        "outside": Table([domain.outside, (Wrong.NO_MEMBER if domain.has_names else Wrong.OUTSIDE).name])
         if is_checked
         else None,
+        "unsigned": parameter.unsigned or None,
+        "is_label": True if parameter.role is Role.LABEL else None,
     }
 
 
@@ -273,6 +282,7 @@ def _contents(parameter: Parameter) -> dict[Any, object]:
         "element": TYPES[element] if isinstance(element, Type) else element,
         "elements": DIRECTIONS[parameter.elements] if parameter.counts else None,
         "validated": None if validated is None else TYPES[validated],
+        "most": None if parameter.most is None else parameter.most - 1,
     }
 
 
@@ -403,6 +413,7 @@ def _claims() -> Iterator[str]:
         "only_in_programs": Table(named={numbers[name]: True for name in claims.ONLY_IN_PROGRAMS}),
         "nxt_write": claims.NXT_WRITE,
         "nxt_flag": 0xFFFF - claims.NXT_MASK,
+        "still_sent": Table(named=dict.fromkeys(claims.STILL_SENT, True)),
     }
     yield _assign("CLAIMS", Table(named=rule))
     yield "-- The range of each type.\n"
@@ -416,6 +427,19 @@ def _claims() -> Iterator[str]:
     yield _assign("TYPE_RANGES", Table(named=limits))
     yield "-- The motors of each bit mask.\n"
     yield _assign("PORT_SETS", Table(named=dict(PORT_SETS)))
+    yield "-- The numbers of labels for jumps; those of a LABEL include 0.\n"
+    yield _assign("LABELS", Table([1, LABELS - 1]))
+
+
+def _findings() -> Iterator[str]:
+    words: dict[Any, object] = {
+        wrong.name if isinstance(wrong, Wrong) else wrong: Table([entry.code, text.message])
+        for entry in CODES.values()
+        for wrong, text in entry.words.items()
+    }
+    yield _assign("FINDINGS", Rows(named=words))
+    refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
+    yield _assign("REFUSED", Table(named=refused))
 
 
 def _unlock() -> Iterator[str]:

@@ -8,121 +8,96 @@ same one.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
 
 from ev3proto.errors import BuildError, near_misses
 from ev3proto.messages import Argument, Operation, Variable
-from ev3proto.schema.argument import ArgumentSchema
+from ev3proto.schema.argument import ArgumentSchema, shortest
 from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
 from ev3proto.semantics.drafts.placeholders import NO_DISTANCE, Label, Need, Placeholder
-from ev3proto.semantics.facts import ParameterFacts, operation_facts
+from ev3proto.semantics.facts import ParameterFacts, facts_of, operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
+from ev3proto.semantics.judgement import Judgement, Wrong, judge, judged
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, COUNTS, TEXT, limits_of
+from ev3proto.tables.encoding import CONSTANT, COUNTS, TEXT
 from ev3proto.tables.ports import MotorPort, MotorPorts, SensorPort
 
 HOW_TO_MEAN_IT = "pass unchecked=True to allow it"
 """The end of Python's error messages about values that can be encoded but have no meaning for the brick."""
 
 
-class MeaningError(BuildError):
-    """A value that can be encoded but has no meaning for the brick.
-
-    Attributes:
-        sentence: What is wrong, without how to allow it.
-    """
-
-    def __init__(self, sentence: str) -> None:
-        self.sentence = sentence
-        super().__init__(f"{sentence}; {HOW_TO_MEAN_IT}")
-
-
-def objections(operation: Operation) -> Iterator[tuple[int, BuildError]]:
-    """Yields what is illegal in an encoded operation: the number of an argument, from 0, and an error."""
-    arguments = operation.arguments
+def objections(operation: Operation) -> Iterator[tuple[int, str]]:
+    """Yields what means nothing to the brick in an encoded operation: the number of an argument, and a sentence."""
+    arguments, facts = operation.arguments, operation_facts(operation.schema)
     yield from _wrong_arrays(arguments)
     for number, argument in enumerate(arguments):
-        try:
-            _check_meaning(argument)
-        except BuildError as error:
-            yield number, error
+        judgement = None if argument.is_variable else judged(facts.of(number, argument.parameter), argument)
+        if judgement is not None and judgement.wrong is not Wrong.NAN_FLOAT:
+            yield number, _sentence(judgement, argument.name)
     yield from _wrong_places(footprints(operation, arguments))
 
 
-def _check_meaning(argument: Argument) -> None:
-    """Refuses an illegal constant in an encoded argument."""
-    parameter, form, value = argument.parameter, argument.form, argument.value
-    if form.handle or form.address or argument.is_variable:
-        return
-    if parameter.direction is not Direction.IN:
-        raise no_variable(parameter, value)
-    if isinstance(value, str):
-        check_text(parameter, value)
-    elif form.kind == CONSTANT:
-        check_number(parameter, value)
-
-
-def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, BuildError]]:
+def _wrong_places(used: Iterable[Footprint]) -> Iterator[tuple[int, str]]:
     """Yields misaligned variables, for which the brick refuses the whole command."""
     for footprint in used:
         multiple = footprint.facts.validator_alignment
         if footprint.start % multiple:
             kind = "a handle" if footprint.argument.form.handle else footprint.argument.parameter.type.label
-            sentence = (
+            yield (
+                footprint.number,
                 f"{footprint.argument.name} cannot be {footprint.variable}: as {kind} it must be at a multiple of"
-                f" {multiple}, or the brick refuses it"
+                f" {multiple}, or the brick refuses it",
             )
-            yield footprint.number, MeaningError(sentence)
 
 
-def check_number(parameter: Parameter, value: float) -> None:
-    """Refuses an illegal number. Raises BuildError."""
+_ANOTHER = "{name} must be {choice}, not {value}"
+_SENTENCES = {
+    Wrong.LABEL: "{name} takes a number, not a label",
+    Wrong.LABEL_BYTE: "{name} takes a number, not a label",
+    Wrong.WRITTEN: "{name} cannot be {value!r}: the brick writes to it, so it takes a variable, GV(0) or Local()",
+    Wrong.TEXT: "{name} takes a number or a variable, not {value!r}",
+    Wrong.NUMBER: "{name} takes a string or a variable, not {value!r}",
+    Wrong.WHOLE: "{name} takes a float, not the whole number {value}, whose bits the brick reads",
+    Wrong.LONG: "{name} has {size} characters; the firmware accepts at most {most}",
+}
+"""What `ops` and the assembler say of a value; of others, which numbers are legal."""
+
+_LEFT_TO_ENCODING = (Wrong.TEXT, Wrong.NUMBER, Wrong.NAN_FLOAT)
+"""The encoder refuses these with the names of an enumeration; a float may be sent that is not a number."""
+
+
+def _sentence(judgement: Judgement, name: str) -> str:
+    parameter, value = judgement.known.parameter, judgement.value
     domain = domain_of(parameter)
-    if domain is not None and not domain.covers(value):
-        sentence = f"{parameter.name} must be {domain.choice}, not {value}"
-        raise MeaningError(sentence) if _can_be(parameter, value) else BuildError(sentence)
+    return _SENTENCES.get(judgement.wrong, _ANOTHER).format(
+        name=name,
+        value=value,
+        choice="a number" if domain is None else domain.choice,
+        size=len(str(value)),
+        most=(parameter.most or 0) - 1,
+    )
 
 
-def check_text(parameter: Parameter, value: str) -> None:
-    """Refuses a text that is too long for the firmware. Raises BuildError."""
-    size = len(value) + 1
-    if parameter.most is not None and size > parameter.most:
-        raise MeaningError(
-            f"{parameter.name} has {size - 1} characters; the firmware accepts at most {parameter.most - 1}"
-        )
+def _meaningless(sentence: str) -> BuildError:
+    """Returns the error about a value that can be encoded."""
+    return BuildError(f"{sentence}; {HOW_TO_MEAN_IT}")
 
 
-def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, BuildError]]:
+def _wrong_arrays(arguments: Sequence[Argument]) -> Iterator[tuple[int, str]]:
     """Yields arrays inside the operation that have fewer bytes than their length says."""
     for array in inline_arrays(arguments):
         if array.stated > array.present:
             argument = array.argument
             has = f"a text of {array.present} bytes, including its zero" if argument.kind == TEXT else "one number"
-            sentence = (
+            yield (
+                arguments.index(argument),
                 f"{argument.name} cannot be {argument.value!r}: {array.length} says that it has {array.stated} bytes,"
-                f" but this is {has}"
+                f" but this is {has}",
             )
-            yield arguments.index(argument), MeaningError(sentence)
-
-
-def _can_be(parameter: Parameter, value: float) -> bool:
-    """Returns whether the value can be encoded."""
-    limits = limits_of(parameter)
-    if limits is None or value == limits.nan or (isinstance(value, float) and math.isnan(value)):
-        return True
-    return limits.low <= value <= limits.high and value == int(value)
-
-
-def no_variable(parameter: Parameter, value: object) -> BuildError:
-    """Returns the error for a constant where the brick writes."""
-    return MeaningError(
-        f"{parameter.name} cannot be {value!r}: the brick writes to it, so it takes a variable, GV(0) or Local()"
-    )
 
 
 def wrong_name(parameter: Parameter, name: str) -> BuildError:
@@ -170,8 +145,8 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
         label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
         operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
         if not unchecked:
-            for _, error in objections(operation):
-                raise error
+            for _, sentence in objections(operation):
+                raise _meaningless(sentence)
         _refuse_unknown_size(footprints(operation), places)
     except BuildError as error:
         sentence = str(error)
@@ -235,16 +210,17 @@ def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False)
         raise BuildError(f"{parameter.name} takes a number, a variable or {Label(value or 'again')!r}, not {value!r}")
     if unchecked or not isinstance(value, int | float | str):
         return
-    if parameter.direction is Direction.INOUT:
-        raise no_variable(parameter, value)
-    if parameter.direction is Direction.IN:
-        number = parameter.number_of(value) if isinstance(value, str) else None
-        if number is not None:
-            check_number(parameter, number)
-        elif isinstance(value, str):
-            check_text(parameter, value)
-        elif parameter.type is not Type.ARRAY_TYPED or isinstance(value, int):
-            check_number(parameter, value)
+    number = parameter.number_of(value) if isinstance(value, str) else value
+    meant = value if number is None else float(number) if parameter.type is Type.DATAF else number
+    judgement = judge(facts_of(parameter), TEXT if isinstance(meant, str) else CONSTANT, meant)
+    if judgement is None or judgement.wrong in _LEFT_TO_ENCODING or parameter.direction is Direction.OUT:
+        return
+    sentence = _sentence(judgement, parameter.name)
+    try:
+        shortest(parameter, value)
+    except BuildError:
+        raise BuildError(sentence) from None
+    raise _meaningless(sentence)
 
 
 _PORTS = {Role.MOTORS: MotorPorts, Role.MOTOR: MotorPort, Role.PORT: SensorPort}

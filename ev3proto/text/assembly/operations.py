@@ -9,7 +9,7 @@ from ev3proto.errors import BuildError, counted, near_misses
 from ev3proto.messages import Operation
 from ev3proto.schema.argument import ArgumentSchema, encode_integer
 from ev3proto.schema.instructions import CMD, FamilySchema, InstructionSet, OperationSchema, instruction_set
-from ev3proto.semantics.drafts.functions import MeaningError, objections
+from ev3proto.semantics.drafts.functions import objections
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import DIALECTS, Enumeration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT
@@ -199,12 +199,10 @@ def _check(schema: OperationSchema, head: bytes, pieces: Sequence[Piece], argume
     Values in a named encoding, DATA8_NAN and others like it are accepted.
     """
     code = head + b"".join(_ANY_DISTANCE if not isinstance(piece, bytes) else piece for piece in pieces)
-    for number, error in objections(Operation((schema, code, 0, len(code)))):
+    for number, sentence in objections(Operation((schema, code, 0, len(code)))):
         value = arguments[number].value
-        if _is_meant(value):
-            continue
-        sentence = f"{error.sentence}; {_HOW_TO_MEAN_IT}" if isinstance(error, MeaningError) else str(error)
-        raise SourceError(value.at, sentence)
+        if not _is_meant(value):
+            raise SourceError(value.at, f"{sentence}; {_HOW_TO_MEAN_IT}")
 
 
 def _is_meant(value: Value) -> bool:

@@ -57,10 +57,8 @@ do
     -- scope.
     local function is_in_place(parameter, encoding, value, sizes)
         if encoding.scope then return value < sizes[encoding.kind] end
-        if parameter.is_output then return false end
-        local is_text = encoding.kind == CONSTANT_TEXT
-        if is_text or parameter.kind == TEXT_VALUE then return is_text and parameter.kind == TEXT_VALUE end
-        return not (value == 0 and parameter.is_set) and phrases.is_allowed(parameter, value)
+        local wrong = phrases.judge(parameter, encoding, value)
+        return not (value == 0 and parameter.is_set) and (not wrong or CLAIMS.still_sent[wrong] == true)
     end
 
     -- The same for all operations of a direct command, at least one of which must be evidence.

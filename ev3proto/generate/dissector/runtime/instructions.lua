@@ -37,6 +37,9 @@ do
         return ("ev3." .. name .. "." .. own):lower(), label, kind
     end
 
+    -- The validator takes the first character of a text, and the distance of a jump, for numbers.
+    local VALIDATED_AS = { [STRING] = DATA8, [LABEL] = DATA32 }
+
     -- Makes a parameter from its row in the tables; `value_name` is its name in the line of a reply.
     local function ready_parameter(row, declared, kind, label, value_name)
         local name, direction, type = row[1], row[2], row[3]
@@ -58,9 +61,9 @@ do
             is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
             flags = is_flags and row.enum.names or nil,
             special = not is_flags and row.special or nil,
-            length = row.length,
+            length = row.length, most = row.most, any = row.any, is_unsigned = row.unsigned, is_label = row.is_label,
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
-            -- What is said of a number outside of what the tables document, and the code of that.
+            -- What is said of a number outside of what the tables document, and the kind of that finding.
             outside = row.outside,
             -- Whether it receives a reading of a device, in its unit or raw, and which of its values.
             reading = type ~= COUNT and row.reading or nil, number = 1,
@@ -85,7 +88,7 @@ do
             local name = format("%s[%d]", list.name, number)
             return {
                 name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
-                is_float = type == DATAF,
+                is_float = type == DATAF, any = row.any,
                 size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
                 range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
                 key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
@@ -165,7 +168,10 @@ do
             if by_name[row.element] then by_name[row.element].tells_type = true end
         end
         local first = not operation.cmd_name and operation.parameters[1]
-        if first then first.accepted = TYPE_RANGES[rows[1].validated or first.type] end
+        if first then
+            first.accepted = first.is_label and first.range
+                or TYPE_RANGES[rows[1].validated or VALIDATED_AS[first.type] or first.type]
+        end
     end
 
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.

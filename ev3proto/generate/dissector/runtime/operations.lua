@@ -37,10 +37,10 @@ do
     -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
     -- frame's `base` there; the requested memory; the operation, where it starts, and the constants that its arguments
     -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
-    -- `remark` on an argument; without a tree, the `complaints` and the `outputs`. Local variables are faster than a
-    -- table for the many arguments.
+    -- `remark` on an argument; without a tree, the `complaints` and the `outputs`; the `content` that is read. Local
+    -- variables are faster than a table for the many arguments.
     local heading, buffer, base, globals, locals, operation, start, stated, said, said_count, is_beyond
-    local remark, complaints, outputs
+    local remark, complaints, outputs, content
 
     local function report(item, kind, at, text)
         remark = remark or format("at offset %d: %s", at, text)
@@ -82,9 +82,8 @@ do
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(item, at, reason, ...)
-        if not reason then return end
-        report(item, find(reason, "E204", 1, true) and "refused" or "misread", at, format(reason, ...))
+    local function check_constant(item, at, reason, code)
+        if reason then report(item, REFUSED[code] and "refused" or "misread", at, reason) end
     end
 
     -- Appends an argument to the line of its operation.
@@ -129,9 +128,9 @@ do
             if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
                 stated[parameter.name] = value
             end
-            local range = parameter.range
+            local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(item, at, misuse_of(parameter, encoding, value, operation.name))
+                check_constant(item, at, misuse_of(parameter, encoding, value, operation.name, byte(content, at + 1)))
             end
         end
         if item then add(item, ENCODING, range, encoding.label) end
@@ -155,7 +154,7 @@ do
     local function read(text, at, item, view, asked_globals, asked_locals)
         local first, phrase, others, fault = nil, "", {}, nil
         heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
-        remark = nil
+        remark, content = nil, text
         if item then buffer, base = view.tvb, view.base end
         while at < #text and not fault do
             if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end

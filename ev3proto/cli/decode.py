@@ -12,12 +12,12 @@ import click
 from ev3proto.capture.record import Announcement, Record
 from ev3proto.cli.formats import FORMATS, Format, made
 from ev3proto.cli.options import exclusive
-from ev3proto.cli.reading import Captured, Problems, named, reading_options
+from ev3proto.cli.reading import Captured, Problems, named, parts_of, reading_options
 from ev3proto.cli.show import Dialogues, matching
 from ev3proto.reading.faults import Faults
 from ev3proto.reading.items import Event, Image, Source
 from ev3proto.reading.options import Options, Sources
-from ev3proto.reading.parts import Reading
+from ev3proto.reading.parts import Part, Reading
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter
@@ -48,25 +48,23 @@ class _Decoding:
     def dialogues(self, chosen: Filter | None) -> None:
         """Shows each command with its reply, if the two match the filter."""
         dialogues = Dialogues(self._show)
-        for part in self._reading.each():
-            before = self._show.count, self.problems.errors
+        for part in self._parts(chosen):
             for pair in matching(self._beside_images(part), chosen, part):
                 dialogues.show(pair, part.account.first_ns or 0)
                 for record in filter(None, pair):
                     self._complain_of(record)
-            if before == (self._show.count, self.problems.errors):
-                self.problems.show(part.nothing(chosen))
 
     def programs(self) -> None:
         """Shows the programs that captures transfer."""
         from ev3proto.cli.programs import moved_programs  # takes 58 ms, which frames do not need
 
-        for part in self._reading.each():
-            before = self._show.count, self.problems.errors
+        for part in self._parts():
             for origin, image in moved_programs(self._captured(part), part, self.problems):
                 self._image(origin, image, origin)
-            if before == (self._show.count, self.problems.errors):
-                self.problems.show(part.nothing())
+
+    def _parts(self, chosen: Filter | None = None) -> Iterator[Part]:
+        """Yields the sources, and prints in which of them nothing was shown."""
+        return parts_of(self._reading, self.problems, lambda: self._show.count, lambda part: part.nothing(chosen))
 
     def _beside_images(self, events: Iterable[Event]) -> Iterator[Event]:
         """Yields the events, and shows programs and problems among them."""

@@ -15,7 +15,6 @@ from ev3proto.cli.options import FOLDER, json_option
 from ev3proto.cli.output import complain, say, say_json
 from ev3proto.cli.reading import Problems, captures_of, reading_options
 from ev3proto.cli.tables import Tables
-from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 from ev3proto.reading.parts import Part
 from ev3proto.text.spans import visible
@@ -50,7 +49,7 @@ def files(
         raise click.UsageError("--force needs -o")
 
     rows: list[tuple[str, ...]] = []
-    captures, problems = captures_of(names, reading), Problems(ProblemCode.NO_MATCH)
+    captures, problems = captures_of(names, reading), Problems()
     for part in captures.each():
         errors, is_empty = problems.errors, True
         for recovered in _recovered(part, folder, problems, force=force, listings=listings):

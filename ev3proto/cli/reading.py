@@ -22,9 +22,9 @@ from ev3proto.cli.options import F, Whole, dialect_option, exclusive, tshark_opt
 from ev3proto.cli.output import ProgressBar, complain, flush, say
 from ev3proto.reading.given import Given, given_word, is_file
 from ev3proto.reading.incoming import IncomingFile
-from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source
+from ev3proto.reading.items import Event, Image, Problem, Source
 from ev3proto.reading.options import BUILTIN, ENGINES, MIB, Options, Sources
-from ev3proto.reading.parts import Reading
+from ev3proto.reading.parts import Part, Reading
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.paste import Missing
 from ev3proto.text.spans import visible
@@ -126,14 +126,12 @@ Other: TypeAlias = Captured | Image | Source
 class Problems:
     """Prints problems, and remembers whether any of them was an error.
 
-    errors   the number of errors
-    ignored  codes that are neither printed nor count
+    errors  the number of errors
     """
 
-    def __init__(self, *ignored: ProblemCode, heard: Callable[[str], object] = lambda _: None) -> None:
+    def __init__(self, heard: Callable[[str], object] = lambda _: None) -> None:
         """`heard` is called with the sentence of each error."""
         self.errors = 0
-        self._ignored = ignored
         self._heard = heard
 
     def beside(self, events: Iterable[Event]) -> Iterator[Other]:
@@ -150,8 +148,6 @@ class Problems:
 
     def show(self, problem: Problem) -> None:
         """Prints a problem, with the line of a source that it is about."""
-        if problem.code in self._ignored:
-            return
         complain(str(problem))
         if problem.excerpt:
             complain("\n".join(f"  {line}" for line in problem.excerpt.split("\n")))
@@ -187,6 +183,27 @@ class Problems:
 def captures_of(names: Sequence[str], reading: Options) -> Reading:
     """Returns the reading of the captures and logs that words name, for subcommands that take nothing else."""
     return Reading(files(names), replace(reading, sources=Sources.NO, images=False))
+
+
+def parts_of(
+    reading: Reading,
+    problems: Problems,
+    count: Callable[[], int],
+    nothing: Callable[[Part], Problem | None] = Part.nothing,
+) -> Iterator[Part]:
+    """Yields the sources, to iterate each before the next, and prints in which of them nothing was found.
+
+    Args:
+        reading: The sources.
+        problems: Prints that, unless there was an error in the source.
+        count: Returns how many things were found so far.
+        nothing: Returns the problem for a source, or None to print nothing.
+    """
+    for part in reading.each():
+        before = count(), problems.errors
+        yield part
+        if before == (count(), problems.errors) and (problem := nothing(part)) is not None:
+            problems.show(problem)
 
 
 def title_of(reading: Reading) -> str:

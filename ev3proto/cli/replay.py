@@ -24,7 +24,6 @@ from ev3proto.link.policy import conduct
 from ev3proto.link.records import Records
 from ev3proto.link.replay import Likeness, Replay, Step, compare, firmware_of, plan, steps
 from ev3proto.link.targets import Target
-from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 from ev3proto.tables import operations
 from ev3proto.tables.system import SYSTEM
@@ -97,7 +96,7 @@ def replay(
       ev3proto replay robot.pcapng --to wifi --fast --allow motors,settings
       ev3proto replay talk.pcapng --to usb --differences --allow computing
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    captures, problems = captures_of([name], reading), Problems(ProblemCode.EMPTY)
+    captures, problems = captures_of([name], reading), Problems()
     found = list(steps(dialogues(problems.captured(captures.events()))))
     if not found:
         problems.end_without(f"{captures.part.label}: no command found")

@@ -14,7 +14,6 @@ from ev3proto.cli.output import say, say_json
 from ev3proto.cli.reading import Problems, captures_of, reading_options
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 
 _MILLISECONDS = 1000
@@ -34,12 +33,13 @@ def stats(files: tuple[str, ...], reading: Options, as_json: bool) -> None:
       ev3proto stats robot.pcapng
       ev3proto stats robot.pcapng --filter 'op==UI_READ' --json
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    statistics, captures, problems = Statistics(), captures_of(files, reading), Problems(ProblemCode.NO_MATCH)
+    statistics, captures, problems = Statistics(), captures_of(files, reading), Problems()
     for event in problems.captured(captures.events()):
         statistics.add(event)
     account = captures.account
     summary = statistics.summary(account)
-    if account.packets:
+    has_matches = reading.filter is None or summary.whole.messages.messages > 0
+    if account.packets and has_matches:
         if as_json:
             say_json(summary.as_dict())
         else:

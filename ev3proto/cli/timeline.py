@@ -59,8 +59,12 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
         complain(f"{captures.label}: has no times: --from and --to count its lines")
     drawn = collect(events, reading.filter, Window(first, last))
     if drawn is None:
-        nothing = _nothing(captures.label, first, last, is_timed=is_timed)
-        problems.end_without(nothing + reading.hint + captures.passed_over)
+        limits = _limits(first, last, is_timed=is_timed)
+        if limits or problems.errors:
+            problems.end_without(f"{captures.label}: no frame found{limits}{captures.passed_over}")
+        for part in captures.parts:
+            problems.show(part.nothing(reading.filter))
+        sys.exit(1)
     if not put(render(drawn, form, title_of(captures)), output):
         sys.exit(1)
     say(f"{output}: written")
@@ -86,11 +90,10 @@ def _begun(events: Iterator[Event]) -> tuple[Iterator[Event], bool]:
     return (events, True) if begin is None else (chain([begin], events), begin.route.is_timed)
 
 
-def _nothing(names: str, first: float | None, last: float | None, *, is_timed: bool) -> str:
+def _limits(first: float | None, last: float | None, *, is_timed: bool) -> str:
     limits = [
         f"{name} {value:g} s" if is_timed else f"{name} line {value:g}"
         for name, value in (("from", first), ("to", last))
         if value is not None
     ]
-    where = f" {' '.join(limits)}" if limits else ""
-    return f"{names}: no frame found{where}"
+    return "".join(f" {limit}" for limit in limits)

@@ -17,7 +17,6 @@ from ev3proto.cli.output import Failure, complain, csv_line, put, say, say_json
 from ev3proto.cli.reading import Problems, captures_of, reading_options, title_of
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
-from ev3proto.reading.items import ProblemCode
 from ev3proto.reading.options import Options
 from ev3proto.text.spans import visible
 
@@ -59,14 +58,14 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
       ev3proto values robot.pcapng --filter 'op == UI_READ.GET_VBATT' --csv
       ev3proto values robot.pcapng --filter 'op == INPUT_READ' --plot light.svg
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    captures, problems, found = captures_of(files, reading), Problems(ProblemCode.NO_MATCH), Series()
+    captures, problems, found = captures_of(files, reading), Problems(), Series()
     for part in captures.each():
         found.extend(series_of(problems.captured(part), part.label, MOST_CELLS - found.size))
     if found.omitted:
         kept = f"{MOST_CELLS:,} cells are kept; --filter chooses others"
         problems.wrong(f"{counted(found.omitted, 'row')} omitted: {kept}")
     if not found.rows:
-        problems.end_without(f"{captures.label}: no reply with its command found{reading.hint}{captures.passed_over}")
+        problems.end_without(f"{captures.label}: no reply with its command found{captures.passed_over}")
     start = captures.account.first_ns or 0
     found = _narrowed(found, "csv" if as_csv else "json" if as_json else "")
     if plot is not None:

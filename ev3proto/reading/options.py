@@ -92,11 +92,6 @@ class Options:
         """How problems speak."""
         return ENCODED if self.sources is Sources.FIRST else READ
 
-    @property
-    def hint(self) -> str:
-        """Why the filter may match nothing, as the end of a sentence; empty if nothing is suspicious."""
-        return "" if self.filter is None else self.filter.hint
-
     def given_up(self, count: int) -> str:
         """Returns the sentence about the number of things that were dropped at the memory limit."""
         return (

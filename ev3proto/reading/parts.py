@@ -80,7 +80,7 @@ class Part:
     def nothing(self, chosen: Filter | None = None) -> Problem:
         """Returns the problem that nothing that is wanted is in the source, or that nothing matches a filter."""
         chosen, account = chosen or self._options.filter, self.account
-        if self.is_text and chosen is None and not account.frames:
+        if self.is_text and not account.frames:
             return self._texts.nothing()
         matches = f" matches the filter{chosen.hint}" if chosen is not None else ""
         code = ProblemCode.NO_MATCH if chosen is not None and account.frames + account.texts else ProblemCode.EMPTY

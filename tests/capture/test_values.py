@@ -121,7 +121,7 @@ def test_a_picture_of_another_kind(tmp_path: Path) -> None:
 def test_nothing_to_show() -> None:
     done = run("values", str(CAPTURES / "daisy.pcap"), *BATTERY)
     assert (done.returncode, done.stdout) == (1, "")
-    assert "no reply with its command found" in done.stderr
+    assert "no frame in 17 packets matches the filter" in done.stderr
 
 
 def test_several_files_name_the_file_of_each_row(tmp_path: Path) -> None:

@@ -128,10 +128,10 @@ OF_THE_INPUT = {
     ),
     f"decode {CAPTURE} --filter latency>10s": f"{CAPTURE}: no frame in 58 packets matches the filter",
     f"values {CAPTURE} --filter latency>10": (
-        f"{CAPTURE}: no reply with its command found; a number without a unit is in seconds: 10ms"
+        f"{CAPTURE}: no frame in 58 packets matches the filter; a number without a unit is in seconds: 10ms"
     ),
     f"check {CAPTURE} --filter FREQUENCY>99999": f"{CAPTURE}: no command in 58 packets matches the filter",
-    "replay hello.txt --to virtual": "hello.txt: no command found",
+    "replay hello.txt --to virtual": f"hello.txt: no frame found; frames are written in hex, such as {FRAME}",
     "values log.txt": "log.txt: no reply with its command found",
     "ops FOO": "no operation matches 'FOO'; `ev3proto ops` lists all operations",
     "ops 999": "no operation matches '999'; `ev3proto ops` lists all operations",

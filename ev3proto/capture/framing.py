@@ -22,7 +22,7 @@ from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
 from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossible_length, may_have_length, may_start
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import other
+from ev3proto.semantics.identify import foreign
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -324,7 +324,7 @@ class Cutter:
         front = self._buffer.look(at)
         if not isinstance(front, OutOfStep):
             return _BETWEEN
-        return advice(other(self._buffer[at:MAX_FRAME], self._finder.schema)) or front.reason
+        return advice(foreign(self._buffer[at:MAX_FRAME], self._finder.schema)) or front.reason
 
     def _next(self, buffer: bytes, at: int, is_last: bool) -> tuple[PartKind, int]:
         """Returns the piece at an offset, and its end, which is after the buffer's end if more bytes are needed."""

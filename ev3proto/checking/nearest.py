@@ -42,7 +42,7 @@ from ev3proto.schema.header import (
     write_memory,
 )
 from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
-from ev3proto.semantics.identify import NOTHING, Kind, other
+from ev3proto.semantics.identify import NOTHING, Kind, foreign
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageType
@@ -123,7 +123,7 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
         frame = report.frame[: stated_size(report.frame)]  # without the padding of a USB report
         return check(frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone).nearest
     reader = frame_reader(report.dialect)
-    found = other(report.frame, reader)
+    found = foreign(report.frame, reader)
     if found.kind is Kind.DIGITS and found.frame is not None:
         sentence = SLIPS["digits"].sentence
         return (Suggestion("digits", 0, len(report.frame), sentence, found.frame, is_sure=True),)

@@ -17,6 +17,8 @@ from ev3proto.link.session import Answered, Event, Oddity, Request, Session, Str
 from ev3proto.schema.frame import parse
 from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.schema.header import HEADER_SIZE, Header
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import foreign
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MessageType
@@ -243,7 +245,7 @@ class Channel:
 
 def _told(event: Event) -> str:
     if isinstance(event, OutOfStep):
-        shown, rest = event.data, "not a frame"
+        shown, rest = event.data, advice(foreign(event.data)) or "not a frame"
     else:
         assert not isinstance(event, Answered)
         shown, rest = event.frame, f"a frame that {event.oddity.value}"

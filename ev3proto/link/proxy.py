@@ -25,6 +25,8 @@ from ev3proto.link.records import Records
 from ev3proto.link.relays import Client, Guard, Passing, Sent
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import foreign
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
@@ -176,7 +178,8 @@ class Proxy:
                 self._take_up(client, message)
         except StreamError as error:
             client.line.drop()
-            self._end(client, str(error))
+            said = None if self._options.is_masked else advice(foreign(client.decoder.pending))
+            self._end(client, said or str(error))
 
     def gone(self, client: Client) -> None:
         """Ends the dialogue with a client that has disconnected."""

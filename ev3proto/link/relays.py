@@ -16,6 +16,8 @@ from ev3proto.link.reply_stream import ReplyStream
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.frame_buffer import OutOfStep
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import foreign
 from ev3proto.semantics.pairing import Pairing, pairing_key
 from ev3proto.stream import Decoder
 from ev3proto.tables.carriers import Carrier
@@ -144,7 +146,9 @@ class Passing:
 
 
 def _dropped(part: OutOfStep) -> str:
-    return f"the brick sent {len(part.data)} bytes that are not a frame; they were dropped"
+    said = advice(foreign(part.data))
+    why = f" ({said})" if said else ""
+    return f"the brick sent {len(part.data)} bytes that are not a frame{why}; they were dropped"
 
 
 class Guard:

@@ -8,7 +8,9 @@ from ev3proto.capture.record import Record
 from ev3proto.checking.report import Severity, Suggestion
 from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.reading.items import Problem, ProblemCode
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import frame_reader, parse
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import foreign
 from ev3proto.tables.declaration import Effect
 from ev3proto.text.phrases import command_spans
 from ev3proto.text.spans import plain_text
@@ -28,9 +30,11 @@ class Faults:
         """Returns what is wrong with a frame, unless it was cut off: of the bytes in a text, also what was meant."""
         message, place = record.message, record.place
         if message.fault is not None and not record.is_cut:
+            named = advice(foreign(record.frame, frame_reader(self._dialect)))
+            said = f"{named}; " if named else ""
             meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
             place = place._replace(offset=message.fault.offset)
-            return Problem(place, ProblemCode.FAULT, f"fault at {message.fault}{''.join(meant)}")
+            return Problem(place, ProblemCode.FAULT, f"{said}fault at {message.fault}{''.join(meant)}")
         if not is_text:
             return None
         if record.is_from_brick and record.seen.direction is None:

@@ -22,6 +22,8 @@ from ev3proto.reading.items import Event, Image, Item, Problem, ProblemCode, Sou
 from ev3proto.reading.kinds import Kind, recognized
 from ev3proto.reading.options import BUILTIN, MIB, Options, Sources
 from ev3proto.reading.texts import TextReader
+from ev3proto.semantics.advice import other_reading
+from ev3proto.semantics.identify import identify
 from ev3proto.tables import check_dialect
 from ev3proto.tables.program import MAX_IMAGE
 from ev3proto.text.paste import Pasted
@@ -43,7 +45,8 @@ class Part:
     is_text  whether its records are numbered by lines, not by packets
     """
 
-    def __init__(self, given: Given, options: Options, log: TextLog) -> None:
+    def __init__(self, given: Given, options: Options, log: TextLog, *, is_only: bool = False) -> None:
+        self._is_only = is_only
         self.label = given.label
         self.account = Account()
         self.is_text = True
@@ -61,7 +64,7 @@ class Part:
 
     def __iter__(self) -> Iterator[Event]:
         is_empty, dropped = True, self._log.budget.dropped
-        for event in self._all() if self._options.filter is None else self._matching():
+        for event in self._both_readings() if self._options.filter is None else self._matching():
             is_empty = is_empty and isinstance(event, Problem) and event.severity is not Severity.ERROR
             yield event
         if is_empty:
@@ -139,6 +142,25 @@ class Part:
                 f" memory limit is {options.memory // MIB} MiB (--memory)"
             )
             yield Problem(self._place, ProblemCode.MEMORY, sentence, Severity.WARNING)
+
+    def _both_readings(self) -> Iterator[Event]:
+        """Yields everything, with a note in front of an only frame without a direction that an NXT has, too."""
+        held: tuple[Record, str] | None = None
+        count = 0
+        for event in self._all():
+            if isinstance(event, Record):
+                count += 1
+                if held is not None:
+                    yield held[0]
+                    held = None
+                is_open = count == 1 and self._is_only and event.written is not None and event.seen.direction is None
+                if is_open and (said := other_reading(identify(event.frame, missing=False))) is not None:
+                    held = event, said
+                    continue
+            yield event
+        if held is not None:
+            yield Problem(held[0].place, ProblemCode.NOTE, held[1], Severity.HINT)
+            yield held[0]
 
     def _all(self) -> Iterator[Event]:
         """Yields everything. Raises OSError if the file cannot be opened, unless that is to be a problem."""
@@ -278,7 +300,7 @@ class Reading:
         check_dialect(options.dialect)
         self.options = options
         self._log = TextLog(options.dialect, options.memory)
-        self.parts = [Part(given, options, self._log) for given in sources]
+        self.parts = [Part(given, options, self._log, is_only=len(sources) == 1) for given in sources]
         self.part = Part(Given(""), options, self._log)
 
     def __iter__(self) -> Iterator[Item]:

@@ -10,11 +10,11 @@ _MAILBOX = "abc"
 _MOST_QUOTED, _MOST_DIGITS, _MOST_SENT = 24, 300, 100
 
 _SAID = {
-    Kind.NXT: "this is a telegram for an NXT ({}), LEGO's earlier brick; an EV3 does not know it",
+    Kind.NXT: "this is a telegram of the NXT ({}), LEGO's earlier brick; an EV3 does not know it",
     Kind.HUB: "this is a message of LEGO's Wireless Protocol ({}), for hubs with Bluetooth Low Energy (its first byte"
     " counts all bytes, the second is the hub, the third the type); an EV3 does not know it",
 }
-_ALSO = "all of it is also a telegram for an NXT ({}), LEGO's earlier brick; for an EV3, it is the following frame"
+_ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also this frame of an EV3"
 
 
 def advice(found: Identity) -> str | None:

@@ -47,6 +47,7 @@ MOST_MISSING = 8
 """Maximum ratio of the bytes that the length field says to those that are there."""
 
 _TYPE_AT = HEADER_SIZE - 1
+_LEAST_OPERATIONS, _ASCII = 3, 0x7F
 _NEARLY, _MOST_OF_REPLY, _LEAST_PROSE, _LEAST_TELEGRAM = 2, 2, 4, 5
 _DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
 
@@ -125,7 +126,7 @@ def identify(
     return NOTHING
 
 
-def other(data: bytes, reader: FrameReader | None = None) -> Identity:
+def foreign(data: bytes, reader: FrameReader | None = None) -> Identity:
     """Returns what bytes are instead of a frame: the text of one, another text, a telegram; or else `NOTHING`.
 
     It is quick for bytes that are none of these.
@@ -260,7 +261,9 @@ def _length_slip(data: bytes) -> str:
 
 def _bare(given: _Given) -> Identity | None:
     data, reader = given.data, given.reader
-    if len(data) < HEADER_SIZE or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
+    # Low numbers are often something else.
+    least = _LEAST_OPERATIONS if max(data, default=0) > _ASCII else HEADER_SIZE
+    if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
         return None
     for kind, frame in ((Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))):
         if frame is not None and is_flawless(frame, reader):

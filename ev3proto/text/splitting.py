@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ev3proto.messages import Message
-from ev3proto.schema.frame import parse
+from ev3proto.schema.frame import frame_reader, parse
 from ev3proto.schema.frame_buffer import FrameBuffer
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.mangled import mangled
@@ -25,7 +25,7 @@ class Piece(NamedTuple):
 def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
     """Yields the messages in pasted bytes. Never raises; each message's fault says what is wrong with it."""
     ends = list(_ends(data)) or [len(data)]
-    if ends[-1] < len(data) and not _is_left_over(data, ends):
+    if ends[-1] < len(data) and not _is_left_over(data, ends, dialect):
         # The last length is too small.
         ends[-1] = len(data)
     for start, end in pairwise((0, *ends)):
@@ -33,12 +33,12 @@ def split(data: bytes, *, dialect: str = "official") -> Iterator[Piece]:
         yield Piece(parse(data[start:end], strict=False, dialect=dialect), start, rest)
 
 
-def _is_left_over(data: bytes, ends: list[int]) -> bool:
+def _is_left_over(data: bytes, ends: list[int], dialect: str) -> bool:
     """Whether the bytes behind the last frame have no meaning: zeros, or what was in the buffer of a report before."""
     if not any(data[ends[-1] :]) or len(data) in REPORT_SIZES:
         return True
     start = ends[-2] if len(ends) > 1 else 0
-    return data[start + HEADER_SIZE - 1] in REPLY_TYPES and mangled(data[start:]) is None
+    return data[start + HEADER_SIZE - 1] in REPLY_TYPES and mangled(data[start:], frame_reader(dialect)) is None
 
 
 def frame_ends(data: bytes) -> list[int] | None:

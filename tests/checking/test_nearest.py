@@ -258,10 +258,10 @@ def test_the_shortest_command_with_a_header_that_is_too_long() -> None:
 
 STRANGE = {
     "06 00 80 03 B8 01 E8 03": (
-        "this is a telegram for an NXT (PLAYTONE), LEGO's earlier brick; an EV3 does not know it"
+        "this is a telegram of the NXT (PLAYTONE), LEGO's earlier brick; an EV3 does not know it"
     ),
     "04 00 80 0A 01 00": (
-        "this is a telegram for an NXT (RESETMOTORPOSITION), LEGO's earlier brick; an EV3 does not know it"
+        "this is a telegram of the NXT (RESETMOTORPOSITION), LEGO's earlier brick; an EV3 does not know it"
     ),
     "08 00 81 32 11 51 00 64": (
         "this is a message of LEGO's Wireless Protocol (port output command), for hubs with Bluetooth Low Energy (its"

@@ -114,8 +114,8 @@ def test_a_reply_that_went_through_a_text() -> None:
 
 
 STRANGERS = {
-    "0x06 0x00 0x00 0x03 0x0B 0x02 0xF4 0x01": "a telegram for an NXT (PLAYTONE)",
-    "TX 80 03 0B 02 F4 01": "a telegram for an NXT (PLAYTONE)",
+    "0x06 0x00 0x00 0x03 0x0B 0x02 0xF4 0x01": "a telegram of the NXT (PLAYTONE)",
+    "TX 80 03 0B 02 F4 01": "a telegram of the NXT (PLAYTONE)",
     "0x08,0x00,0x81,0x00,0x11,0x51,0x00,0x25": "LEGO's Wireless Protocol",
     "uuid 00001624-1212-efde-1623-785feabcd123": "LEGO's Wireless Protocol",
     "c5f50002-8280-46da-89f4-6d8051e4aeef": "Pybricks",
@@ -284,6 +284,33 @@ def test_a_status_is_explained() -> None:
     assert line.endswith(f'CREATE_DIR path="/p/" -> NO_PERMISSION ({meaning})')
     reply = json.loads(run_ev3proto("decode", "--json", stdin=talk).stdout.splitlines()[-1])
     assert reply["status_meaning"] == meaning
+
+
+BOTH = "all of it is a telegram of the NXT (SETOUTPUTSTATE), LEGO's earlier brick, and also this frame of an EV3"
+MOTOR_C = "0C 00 80 04 02 64 07 00 00 20 00 00 00 00"
+
+
+@pytest.mark.parametrize("name", ["decode", "check"])
+def test_a_right_frame_alone_that_is_an_nxts_telegram_is_named_as_both(name: str) -> None:
+    done = run_ev3proto(name, "-", stdin=MOTOR_C.encode())
+    assert done.stderr.decode().splitlines()[0] == f"standard input, line 1: {BOTH}"
+    assert name == "check" or done.stdout.startswith(b"DIRECT_REPLY, counter 1152")
+
+
+def test_a_frame_with_a_direction_or_among_others_is_an_ev3s() -> None:
+    battery = "08 00 80 0A 00 01 00 81 12 60\n04 00 80 0A 02 50\n"
+    for text in (f"Recv {MOTOR_C}\n", f"{MOTOR_C}\n{MOTOR_C}\n", battery):
+        done = run_ev3proto("decode", "-", stdin=text.encode())
+        assert (done.returncode, done.stderr) == (0, b""), text
+
+
+def test_a_faulty_frame_that_is_an_nxts_telegram_is_named_so_first() -> None:
+    done = run("decode", "04 00 80 0A 01 00")
+    assert done.returncode == 1
+    assert done.stderr.decode().strip() == (
+        "'04 00 80 0A 01 00': this is a telegram of the NXT (RESETMOTORPOSITION), LEGO's earlier brick; an EV3 does not"
+        " know it; fault at offset 5: unknown system command 0x00"
+    )
 
 
 def test_an_opcode_that_no_brick_runs_is_a_fault() -> None:

@@ -637,7 +637,9 @@ def test_a_client_that_sends_text_is_named() -> None:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
         (said,) = found.said
         assert re.sub(r"^127.0.0.1:\d+ ", "", said) == (
-            "sent bytes that are not a frame: offset 0: length 29264: text where a frame should be; disconnected"
+            "sent bytes that are not a frame: this is the text 'Protocol: EV3', not a frame; a Messaging block needs"
+            " WRITEMAILBOX: for its mailbox 'abc', send 19 00 00 00 81 9E 04 61 62 63 00 0E 00 50 72 6F 74 6F 63 6F 6C"
+            " 3A 20 45 56 33 00; disconnected"
         )
 
 

@@ -8,7 +8,7 @@ from itertools import islice
 
 from ev3proto.checking.checking import check
 from ev3proto.schema.frame import parse
-from ev3proto.semantics.identify import with_header, without_length
+from ev3proto.semantics.identify import Kind, identify
 from ev3proto.text.forms import as_hex
 from ev3proto.text.paste.frames import NO_LENGTH, OPERATIONS
 
@@ -22,7 +22,10 @@ _BETWEEN = re.compile(r"0[xX]|\\x|[\s,:;|.'\"{}()\[\]-]")
 """What may be between the bytes of a frame in hex."""
 
 _ADD_LENGTH, _ADD_HEADER = "Add the length", "Add a header"
-_LABELS = {"length-missing": _ADD_LENGTH}
+_MISSING = {Kind.NO_LENGTH: _ADD_LENGTH, Kind.OPERATIONS: _ADD_HEADER}
+"""The labels of what is added to bytes."""
+
+_LABELS = {"length-missing": _ADD_LENGTH, "digits": "Read the digits"}
 """The labels of slips whose remedy has a better name than "Use this"."""
 
 
@@ -72,9 +75,9 @@ def _meant(text: str) -> Iterator[tuple[str, bytes]]:
             yield label, data
     if data is None or _is_right(data):
         return
-    for label, frame in ((_ADD_LENGTH, without_length(data)), (_ADD_HEADER, with_header(data))):
-        if frame is not None and _is_right(frame):
-            yield label, frame
+    found = identify(data)
+    if found.frame is not None and found.kind in _MISSING and _is_right(found.frame):
+        yield _MISSING[found.kind], found.frame
     for each in check(data, alone=True).nearest:
         if not each.unknown and _is_right(each.frame):
             yield _LABELS.get(each.kind, "Use this"), each.frame

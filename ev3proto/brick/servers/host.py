@@ -17,6 +17,9 @@ from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEU
 from ev3proto.errors import counted
 from ev3proto.schema.frame_buffer import FrameBuffer
 from ev3proto.schema.header import out_of_step
+from ev3proto.semantics.advice import advice
+from ev3proto.semantics.identify import foreign
+from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
@@ -148,12 +151,14 @@ class Connection:
         """Takes the next frame out of the buffer, if it is whole."""
         if self._frame is None and isinstance(frame := self._incoming.next(), bytes):
             self._frame = frame
+            if (said := advice(foreign(frame))) is not None:
+                self._host.say_once(f"{self.name}: {said}")
 
     def _believe(self, data: bytearray, at: int) -> None:
         """Believes any length, as the firmware does; reports the first that no frame can have."""
         if not self._is_out_of_step and (reason := out_of_step(data, at)) is not None:
             self._is_out_of_step = True
-            self._host.say_once(f"{self.name}: {reason}")
+            self._host.say_once(f"{self.name}: {advice(foreign(bytes(data[at:MAX_FRAME]))) or reason}")
 
     @property
     def left(self) -> bytes:
@@ -236,8 +241,8 @@ class Host:
     def serve_disconnected(self) -> None:
         """Serves the remaining frames of a limited number of disconnected clients."""
         gone = [each for each in self.connections if each.is_gone]
-        for other in gone[:-MOST_QUEUED]:
-            other.forget_frames()
+        for each in gone[:-MOST_QUEUED]:
+            each.forget_frames()
         self.wake()
 
     def queued(self) -> None:
@@ -437,5 +442,5 @@ def _unfinished(left: bytes) -> str:
         return f"the connection ended before {counted(frames, 'frame')} of it {'was' if frames == 1 else 'were'} served"
     if buffer.size is None:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
-    reason = out_of_step(buffer.pending)
+    reason = advice(foreign(buffer.pending)) or out_of_step(buffer.pending)
     return reason or f"the connection ended inside a frame: {len(buffer)} of its {counted(buffer.size, 'byte')} came"

@@ -14,7 +14,7 @@ from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY, frame_size, may_be_long
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import NOTHING, other
+from ev3proto.semantics.identify import NOTHING, foreign
 from ev3proto.tables import daisy, mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES, MessageType
@@ -37,7 +37,7 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         )
         return
     is_wrong = context.is_length_wrong or context.fault is not None or context.message.type is None
-    found = other(frame, frame_reader(context.dialect)) if is_wrong else NOTHING
+    found = foreign(frame, frame_reader(context.dialect)) if is_wrong else NOTHING
     if (said := advice(found)) is not None:
         yield codes.NOT_A_FRAME.finding(0, size, said, "send a frame; `ops` lists the operations")
         return

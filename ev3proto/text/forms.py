@@ -21,7 +21,7 @@ from ev3proto.messages import (
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.replies import field_values
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.phrases import Seen, argument_value, field_texts, heading
+from ev3proto.text.phrases import ORPHANED, ORPHANED_ERROR, Seen, argument_value, field_texts, heading
 from ev3proto.text.spans import plain_text
 
 _BYTES_A_LINE = 12
@@ -69,7 +69,7 @@ def _comment(text: str) -> str:
 
 
 def _heading(message: Message) -> str:
-    return plain_text(heading(Exchange(message), Seen())).removesuffix(" (the command it answers was not seen)")
+    return plain_text(heading(Exchange(message), Seen())).removesuffix(ORPHANED).removesuffix(ORPHANED_ERROR)
 
 
 def _parts(message: Message) -> Iterator[tuple[bytes, str]]:

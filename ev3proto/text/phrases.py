@@ -209,9 +209,14 @@ def _what(exchange: Exchange) -> Spans:
             (": error" if message.type.is_error else ": ok", Role.FAULT if message.type.is_error else Role.VALUE)
         )
     if exchange.is_orphan:
-        line.append((" (the command it answers was not seen)", Role.ASIDE))
+        refused = isinstance(message, DirectReply) and message.type is not None and message.type.is_error
+        line.append((ORPHANED_ERROR if refused else ORPHANED, Role.ASIDE))
     return line
 
+
+ORPHANED = " (the command it answers was not seen)"
+ORPHANED_ERROR = f"{ORPHANED[:-1]}: check that one to find the fault)"
+"""A reply does not say why the brick refused the command; `check` does."""
 
 _MOST_OPERATIONS = 8
 _MOST_VALUES = 16

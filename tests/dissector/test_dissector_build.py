@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
+import shutil
 import subprocess
 from collections import Counter
 from collections.abc import Iterator
@@ -237,14 +239,19 @@ ROWS = re.findall(
     r"^\| [^|`]+?(?: \((-2)\))? \| `(.*)` \|(?: `([\w.-]+)`: (\d+))? \|$", f"{README}\n{HOWTO}", re.MULTILINE
 )
 """Whether tshark must read the capture twice, the filter, the capture, the number of packets."""
-SESSIONS = re.findall(r"^\$ (tshark .*)\n((?:(?!\$ |```).*\n)*)", f"{README}\n{HOWTO}", re.MULTILINE)
+SESSIONS = [
+    re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", block, re.MULTILINE)
+    for block in re.findall(r"^```(?:console|text)\n(.*?)^```$", f"{README}\n{HOWTO}", re.MULTILINE | re.DOTALL)
+    if "$ tshark " in block
+]
+"""Commands with their output."""
 
 
 def test_there_is_something_to_test() -> None:
     readme = README.count("\n| ", README.index("| question"), README.index("The same names")) - 1
     howto = HOWTO.count("\n| ", HOWTO.index("| question"), HOWTO.index("Any line in the packet")) - 1
     assert len(ROWS) == readme + howto >= 40
-    assert len(SESSIONS) == 6
+    assert len(SESSIONS) == 5
 
 
 @pytest.fixture(scope="module")
@@ -268,12 +275,28 @@ def test_every_filter_finds_all_by_the_documented_command(
     assert (once < in_two_passes) == bool(twice)
 
 
-@pytest.mark.parametrize(("command", "output"), SESSIONS)
-def test_the_commands_of_the_readme(tshark: Tshark, command: str, output: str) -> None:
-    words = shlex.split(command)[1:]
-    capture = words.pop(words.index("-r") + 1)
-    words.remove("-r")
-    assert tshark.run(ROOT / capture, *tshark.statistics, *words) == output
+@pytest.fixture(scope="module")
+def shell(tshark: Tshark) -> dict[str, str]:
+    """An environment in which `tshark` loads the dissector. Its work folder has the captures."""
+    programs = tshark.folder / "programs"
+    shutil.copytree(CAPTURES, tshark.folder / "captures")
+    programs.mkdir()
+    (programs / "tshark").write_text(
+        f'#!/bin/sh\nexec {shlex.join([str(tshark.path), *tshark.words, *tshark.statistics])} "$@"\n'
+    )
+    (programs / "tshark").chmod(0o755)
+    return {**os.environ, "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}"}
+
+
+@pytest.mark.parametrize("session", SESSIONS)
+def test_the_commands_print_what_is_shown(
+    tshark: Tshark, shell: dict[str, str], session: list[tuple[str, str]]
+) -> None:
+    for command, output in session:
+        done = subprocess.run(
+            ["bash", "-c", command], cwd=tshark.folder, env=shell, capture_output=True, text=True, check=False
+        )
+        assert done.stdout == output, command
 
 
 def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> None:

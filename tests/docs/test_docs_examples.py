@@ -11,6 +11,8 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
+from unittest import mock
 
 import pytest
 from support.announcing import Announcing, free_udp_port
@@ -100,7 +102,33 @@ def test_the_programs_run_one_after_the_other(page: Path, monkeypatch: pytest.Mo
     monkeypatch.chdir(ROOT)
     names: dict[str, object] = {}
     for program in blocks(page, "python"):
+        if page.name == "README.md":
+            names = {}  # readers copy one of them
         exec(compile(program, page.name, "exec"), names)
+
+
+def test_the_tests_with_the_virtual_brick_pass() -> None:
+    page = ROOT / "docs" / "howto" / "test-your-library.md"
+    names: dict[str, Any] = {}
+    exec("\n".join(blocks(page, "python")), names)
+    tests = [name for name in names if name.startswith("test_")]
+    assert len(tests) == 3
+    for name in tests:
+        names[name]()
+
+
+def test_the_picture_of_voltages_has_their_values(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A module that records takes the place of matplotlib, which no other test needs."""
+    (program,) = blocks(ROOT / "docs" / "howto" / "read.md", "py")
+    drawn = mock.MagicMock()
+    monkeypatch.setitem(sys.modules, "matplotlib", drawn)
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", drawn.pyplot)
+    monkeypatch.chdir(ROOT)
+    exec(program, {})
+    (times, voltages), _ = drawn.pyplot.plot.call_args
+    assert times == [0, pytest.approx(0.07279, abs=1e-6)]
+    assert voltages == [pytest.approx(7.92, abs=0.01), pytest.approx(7.88, abs=0.01)]
+    drawn.pyplot.savefig.assert_called_once_with("battery.png")
 
 
 def test_the_test_of_the_tutorial_prints_what_is_shown(capsys: pytest.CaptureFixture[str]) -> None:

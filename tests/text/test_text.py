@@ -72,6 +72,14 @@ def test_the_tree_of_a_reply_reads_its_memory() -> None:
     ]
 
 
+def test_an_error_alone_names_the_next_step() -> None:
+    """It does not say what is wrong with the command."""
+    assert shown(bytes.fromhex("03 00 2A 00 04")) == [
+        "DIRECT_REPLY_ERROR, counter 42, 5 bytes: error"
+        " (the command it answers was not seen: check that one to find the fault)"
+    ]
+
+
 def mailbox(payload: bytes) -> bytes:
     body = bytes.fromhex("2A 00 81 9E 04") + b"abc\0" + len(payload).to_bytes(2, "little") + payload
     return len(body).to_bytes(2, "little") + body

@@ -44,7 +44,7 @@ _SIZE_BITS = 3
 class HeaderField(NamedTuple):
     """A field of a header.
 
-    name    `length`, `counter`, `type`, `memory`; of others also `command`, `status`, `from layer` and `to layer`
+    name    `length`, `counter`, `type`, `memory`; of others also `command`, `status`, `layer_from` and `layer_to`
     offset  of its first byte in the frame
     length  the number of its bytes
     text    its value, and what that means
@@ -86,8 +86,8 @@ def _parts(message: Message, frame: bytes) -> Iterator[HeaderField]:
             yield HeaderField("status", HEADER_SIZE + 1, 1, f"{message.status_code} {status_name(message)}")
     if isinstance(message, DaisyCommand | DaisyReply):
         at = HEADER_SIZE + isinstance(message, DaisyCommand)
-        yield HeaderField("from layer", at, 1, str(message.layer_from))
-        yield HeaderField("to layer", at + 1, 1, str(message.layer_to))
+        yield HeaderField("layer_from", at, 1, str(message.layer_from))
+        yield HeaderField("layer_to", at + 1, 1, str(message.layer_to))
 
 
 def byte_lines(message: Message) -> list[str]:

@@ -19,6 +19,7 @@ from ev3proto.checking.nearest import nearest
 from ev3proto.dialogue import Exchange
 from ev3proto.schema.frame import read_last
 from ev3proto.text.assembly import assembly
+from ev3proto.text.csv_rows import rows
 from ev3proto.text.diagnostics import diagnostics, fixed
 from ev3proto.text.json_format.from_messages import record
 from ev3proto.text.phrases import NOTATIONS, Seen
@@ -90,6 +91,7 @@ FACES: dict[str, Callable[[bytes], object]] = {
     "tree": lambda frame: list(map(plain_text, tree(_exchange(frame), Seen()))),
     "JSON": lambda frame: json.dumps(record(_exchange(frame), Seen())),
     "table": lambda frame: list(table(_exchange(frame), Seen())),
+    "csv": lambda frame: list(rows(_exchange(frame))),
     "assembly": lambda frame: [list(assembly(_exchange(frame), "", notation)) for notation in NOTATIONS],
     "check": lambda frame: list(diagnostics(check(_new(frame)), nearest=())),
     "nearest": lambda frame: check(_new(frame), alone=True).nearest,

@@ -22,6 +22,7 @@ from support.terminal import OURS, on_a_terminal, steering
 from support.wireshark import Tshark
 
 import ev3proto
+from ev3proto.cli.formats import formats_of
 
 READS = """#!{python}
 import os, sys
@@ -131,7 +132,7 @@ def place(tmp_path: Path) -> bytes:
     return os.fsencode(tmp_path) + b"/new-" + IN_PATHS
 
 
-@pytest.mark.parametrize("style", ["tree", "table", "asm", "json"])
+@pytest.mark.parametrize("style", formats_of("message"))
 def test_frames(style: str, tmp_path: Path) -> None:
     path = tmp_path / "frames.txt"
     path.write_text("\n".join(frame.hex(":") for _, frame in frames()))
@@ -201,7 +202,7 @@ def test_what_assembly_says_comes_back_and_nothing_more(capture: bytes, tmp_path
 def test_a_program(tmp_path: Path) -> None:
     path = os.fsencode(tmp_path) + b"/" + IN_PATHS + b".rbf"
     Path(os.fsdecode(path)).write_bytes(program())
-    for style in ("listing", "lego", "tree", "json"):
+    for style in formats_of("program"):
         harmless("decode", path, "--format", style, status=(0, 1))
     for words in ((), ("--json",), ("--format", "sarif")):
         harmless("check", path, *words, status=(0, 1))

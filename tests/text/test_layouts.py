@@ -120,8 +120,8 @@ def test_no_layout_prints_what_the_frame_does_not_have(frame: str, absent: tuple
 def test_byte_by_byte_knows_the_header_of_daisy_messages_and_the_fields_of_system_messages() -> None:
     assert byte_lines(read("08 00 2A 00 0A A2 01 00 01 94").message)[5:] == [
         "Byte 5: 0xA2, command: 0xA2 INFO",
-        "Byte 6: 0x01, from layer: 1",
-        "Byte 7: 0x00, to layer: 0",
+        "Byte 6: 0x01, layer_from: 1",
+        "Byte 7: 0x00, layer_to: 0",
         "Byte 8: 0x01, byte 0 of the payload",
         "Byte 9: 0x94, byte 1 of the payload",
     ]

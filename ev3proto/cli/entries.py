@@ -10,7 +10,6 @@ from ev3proto.errors import counted
 from ev3proto.schema.argument import LABEL_BYTE
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import ADDRESS_BIT, ENCODINGS, HANDLE_BIT
-from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.errors import ERRORS
 from ev3proto.text.spans import Role, Spans
 
@@ -136,15 +135,16 @@ def encodings() -> Iterator[Entry]:
 def modes() -> Iterator[Entry]:
     """Yields the modes of sensors and motors, by the names of their manuals."""
     for device in DEVICE_TYPES.values():
-        type_name = ", ".join(filter(None, (str(device.number), TYPE.name_of(device.number))))
         for number, mode in enumerate(device.modes):
-            unit = f" {mode.symbol}" if mode.symbol else ""
+            unit = f" {mode.unit}" if mode.unit else ""
             values = f"{counted(mode.datasets, 'value')}, {mode.si.least:g} to {mode.si.most:g}{unit}"
+            if mode.values:
+                values += f": {'; '.join(map(str, mode.values))}"
             yield named(
                 mode.name,
                 number,
                 MODE,
-                f"Mode {number} of type {type_name}",
+                f"{device.title}, mode {number} of {device.name}",
                 [
                     f"{values}; raw {mode.raw.least:g} to {mode.raw.most:g}",
                     f"INPUT_DEVICE(READY_SI, 0, PORT, {device.number}, {number}, {mode.datasets}, ...) reads it, with"
@@ -162,8 +162,6 @@ def error_numbers() -> Iterator[Entry]:
 def device_types() -> Iterator[Entry]:
     """Yields the types of sensors and motors."""
     for device in DEVICE_TYPES.values():
-        type_name = TYPE.name_of(device.number)
-        if type_name is None:
-            continue
-        names = [f"modes: {', '.join(f'{number} {mode.name}' for number, mode in enumerate(device.modes))}"]
-        yield named(type_name, device.number, "type of a sensor or motor", "A device type", names)
+        notes = [f"modes: {', '.join(f'{number} {mode.name}' for number, mode in enumerate(device.modes))}"]
+        notes += [] if device.is_sold else ["no device that is sold has this type"]
+        yield named(device.name, device.number, "type of a sensor or motor", device.title, notes)

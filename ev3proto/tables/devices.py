@@ -75,6 +75,16 @@ class Mode:
     percent: Range = _PERCENT
     values: tuple[Dataset, ...] = ()
 
+    @property
+    def unit(self) -> str:
+        """The unit as written, or the firmware's word for a count or a choice."""
+        return UNITS.get(self.symbol, self.symbol)
+
+    @property
+    def labels(self) -> tuple[Dataset, ...]:
+        """What each value is; `value 1` where that is not documented."""
+        return self.values or tuple(Dataset(f"value {number + 1}", self.unit) for number in range(self.datasets))
+
 
 @dataclass(frozen=True)
 class DeviceType:
@@ -96,6 +106,11 @@ class DeviceType:
     modes: tuple[Mode, ...]
     settling: int = 0
     is_sold: bool = True
+
+    @property
+    def name(self) -> str:
+        """Its name in TYPE, `type 10` if it has none."""
+        return TYPE.name_of(self.number) or f"type {self.number}"
 
     @property
     def is_motor(self) -> bool:

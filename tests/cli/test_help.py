@@ -55,8 +55,8 @@ def test_help_of_anything(words: list[str], start: str) -> None:
         ("LC1", ["LC1  A number of -127 to 127 in two bytes", "  identification byte 0x81"]),
         ("gv0", ["GV0  A variable in the first 32 bytes of global memory, which the reply carries"]),
         ("LCX", ["LCX  The shortest encoding of a number"]),
-        ("COL-COLOR", ["COL-COLOR  Mode 2 of type 29, TYPE_COLOR"]),
-        ("US-DIST-CM", ["US-DIST-CM  Mode 0 of type 30, TYPE_ULTRASONIC"]),
+        ("COL-COLOR", ["COL-COLOR  EV3 colour sensor, mode 2 of TYPE_COLOR"]),
+        ("US-DIST-CM", ["US-DIST-CM  EV3 ultrasonic sensor, mode 0 of TYPE_ULTRASONIC"]),
         ("VM_PROGRAM_VALIDATION", ["VM_PROGRAM_VALIDATION  An error of the firmware, as INFO.GET_ERROR reports it"]),
     ],
 )
@@ -77,6 +77,7 @@ def test_help_of_a_number_has_all_of_its_meanings() -> None:
     ("said", "names"),
     [
         ("beep", ["SOUND.TONE"]),
+        ("infrared", ["TYPE_IR", "IR-SEEK"]),
         ("encoder", ["OUTPUT_READ", "OUTPUT_CLR_COUNT", "OUTPUT_GET_COUNT"]),
         ("reset gyro", ["INPUT_DEVICE.CLR_ALL", "INPUT_WRITE"]),
         ("pairing", ["COM_GET.GET_PIN", "COM_SET.SET_PIN"]),
@@ -91,7 +92,7 @@ def test_help_by_what_people_call_it(said: str, names: list[str]) -> None:
 
 
 def test_help_suggests_what_is_known() -> None:
-    assert "did you mean COL-COLOR" in run("help", "COL-COLOUR").stderr
+    assert "did you mean COL-COLOR" in run("help", "COL-COLR").stderr
     assert "did you mean US-DIST-CM" in run("help", "US-DISTCM").stderr
 
 

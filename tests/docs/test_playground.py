@@ -1141,6 +1141,18 @@ def test_its_python_runs_here_too() -> None:
     assert place == [0, 10, 3]
 
 
+def test_each_type_of_a_device_on_a_real_brick_is_shown() -> None:
+    """Also those that no device has, and those that no table has."""
+    script = (
+        "import json; from bridge.real_brick import shown; print(json.dumps([shown(n, 0, 1.5) for n in range(256)]))"
+    )
+    found = json.loads(_bridge(script))
+    assert found[7] == ["EV3 large motor", "2 degrees"]
+    assert found[17] == ["unused type 17", "2"]
+    assert found[30] == ["EV3 ultrasonic sensor", "1.5 cm"]
+    assert found[60] == ["type 60", "1.5"]
+
+
 def test_without_npm_the_rest_can_be_built(tmp_path: Path) -> None:
     (tmp_path / "index.rst").write_text("Title\n=====\n")
     environment = {**os.environ, "PATH": "/nowhere", "PYTHONPATH": str(ROOT / "docs")}

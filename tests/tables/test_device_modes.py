@@ -78,6 +78,22 @@ def _described(mode: Mode) -> str:
     return f"{mode.name} {mode.datasets} {size} {mode.figures}.{mode.decimals} {ends} {mode.symbol or '-'}"
 
 
+def test_each_type_has_a_title() -> None:
+    titles = {device.number: device.title for device in DEVICE_TYPES.values()}
+    assert len(set(titles.values())) == len(titles) == 37
+    assert (titles[10], titles[21], titles[33]) == ("unused type 10", "EV3 test device", "EV3 infrared sensor")
+    sold = [number for number, device in DEVICE_TYPES.items() if device.is_sold]
+    assert sold == [1, 2, 3, 4, 5, 6, 7, 8, 16, 29, 30, 32, 33, 99]
+
+
+def test_each_value_of_a_device_that_is_sold_has_a_name() -> None:
+    """But for calibrations, and modes that LEGO does not describe."""
+    modes = [mode for device in DEVICE_TYPES.values() if device.is_sold for mode in device.modes]
+    unknown = {mode.name for mode in modes if not mode.values}
+    assert unknown == {"REF-RAW", "COL-CAL", "GYRO-FAS", "GYRO-CAL", "IR-S-ALT", "IR-CAL"}
+    assert all(len(mode.labels) == mode.datasets for mode in modes)
+
+
 @pytest.mark.parametrize("number", [1, 2, 3, 4, 5, 6, 7, 8, 16, 29, 30, 32, 33, 99])
 def test_the_modes_of_legos_devices(number: int) -> None:
     wanted = [line.partition(" ")[2] for line in MODES.strip().splitlines() if line.startswith(f"{number} ")]

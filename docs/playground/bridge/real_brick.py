@@ -36,8 +36,8 @@ from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header, build_frame, frame_size
 from ev3proto.semantics.replies import Value
 from ev3proto.tables.carriers import Carrier
-from ev3proto.tables.devices import DEVICE_TYPES
-from ev3proto.tables.enumerations import SLOT, TYPE
+from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE
+from ev3proto.tables.enumerations import SLOT
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
 from ev3proto.tables.input import MOTOR_PORTS
 from ev3proto.tables.input import PORTS as SENSOR_PORTS
@@ -72,8 +72,6 @@ PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
 """Where a program of the input is written on a brick."""
 _KEY = 0
 _NO_CHANGE = -1
-_DEVICES = DEVICE_TYPES.keys() - {TYPE.members["TYPE_NONE"]}
-_TYPES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
 _PORT_NAMES = (*(str(port + 1) for port in SENSOR_PORTS), *(chr(ord("A") + number) for number in range(4)))
 
 
@@ -454,7 +452,7 @@ class RealBrick:
         # Without devices of other bricks in a chain.
         self._known = Known({(0, _PORTS[at]): kind for at, (kind, _) in enumerate(found)})
         self._known_since = time.monotonic()
-        plugged = [(at, kind, mode) for at, (kind, mode) in enumerate(found) if kind in _DEVICES]
+        plugged = [(at, kind, mode) for at, (kind, mode) in enumerate(found) if kind != NO_DEVICE.number]
         drafts = tuple(input_readsi(0, _PORTS[at], 0, _NO_CHANGE) for at, _, _ in plugged)
         if not drafts:
             self._know(ports=[])
@@ -462,9 +460,7 @@ class RealBrick:
 
         def know(values: list[float]) -> None:
             rows = zip(plugged, values, strict=True)
-            self._know(
-                ports=[[_PORT_NAMES[at], _TYPES[kind], _value(kind, mode, value)] for (at, kind, mode), value in rows]
-            )
+            self._know(ports=[[_PORT_NAMES[at], *shown(kind, mode, value)] for (at, kind, mode), value in rows])
 
         self._ask(Question(drafts, lambda values: values), know)
 
@@ -659,11 +655,14 @@ def _values(prepared: Prepared, frame: bytes, reply: bytes | None) -> list[Value
     return values
 
 
-def _value(kind: int, mode: int, value: float) -> str:
-    """Returns a sensor's value as the brick shows it."""
-    modes = DEVICE_TYPES[kind].modes
+def shown(kind: int, mode: int, value: float) -> tuple[str, str]:
+    """Returns what a device is called, and its value with the decimals that the brick shows."""
+    device = DEVICE_TYPES.get(kind)
+    title = f"type {kind}" if device is None else device.title
     if value != value:
-        return "-"
-    if mode >= len(modes):
-        return f"{value:g}"
-    return f"{value:.{modes[mode].decimals}f} {modes[mode].symbol}".strip()
+        return title, "-"
+    if device is None or not 0 <= mode < len(device.modes):
+        return title, f"{value:g}"
+    chosen = device.modes[mode]
+    unit = chosen.labels[0].unit if chosen.labels else ""
+    return title, f"{value:.{chosen.decimals}f} {unit}".strip()

@@ -16,9 +16,9 @@ from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
 from ev3proto.brick.devices.sensors import PORTS
 from ev3proto.brick.running_programs import RUNNING, USER_SLOT
 from ev3proto.brick.servers.page.watcher import Unshown
-from ev3proto.tables.devices import DEVICE_TYPES
+from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.enumerations import CONN, LEDPATTERN, TYPE
+from ev3proto.tables.enumerations import LEDPATTERN
 
 MOST_FILES = 500
 """Entries of a folder that are shown."""
@@ -27,38 +27,24 @@ _MOST_TERMINAL = 2000
 _MOST_TALKS = 25
 """Dialogues that are decoded per update."""
 
-_MOTOR = CONN.members["CONN_OUTPUT_TACHO"]
-_NONE = TYPE.members["TYPE_NONE"]
-_NOT_SOLD = {TYPE.members[f"TYPE_{name}"] for name in ("NEWTACHO", "IIC_UNKNOWN", "NXT_TEST", "UNKNOWN")}
-"""Types that the firmware knows, and that no device has."""
-
-_NAMES = {number: name.removeprefix("TYPE_") for name, number in TYPE.members.items()}
-
 
 def _facts() -> dict[str, Any]:
     """Returns the constant part of the state: known devices, names of the light's patterns, deviations."""
-    types = [
-        {
-            "number": number,
-            "name": _NAMES.get(number, str(number)),
-            "motor": device.connection == _MOTOR,
-            "modes": [
-                {
-                    "name": mode.name,
-                    "datasets": mode.datasets,
-                    "raw": mode.raw,
-                    "si": mode.si,
-                    "decimals": mode.decimals,
-                    "symbol": mode.symbol,
-                }
-                for mode in device.modes
-            ],
-        }
-        for number, device in sorted(DEVICE_TYPES.items())
-        if number in _NAMES and number not in _NOT_SOLD
-    ]
+    types = [_type(device) for device in DEVICE_TYPES.values() if device.is_sold or device is NO_DEVICE]
     leds = {number: name for name, number in LEDPATTERN.members.items()}
-    return {"types": types, "none": _NONE, "leds": leds, "deviations": DEVIATIONS}
+    return {"types": types, "none": NO_DEVICE.number, "leds": leds, "deviations": DEVIATIONS}
+
+
+def _type(device: DeviceType) -> dict[str, Any]:
+    return {
+        "number": device.number,
+        "title": device.title,
+        "motor": device.is_motor,
+        "modes": [
+            {"name": mode.name, "values": mode.labels, "raw": mode.raw, "si": mode.si, "decimals": mode.decimals}
+            for mode in device.modes
+        ],
+    }
 
 
 class Changes:
@@ -131,7 +117,7 @@ def _sensors(brick: Brick) -> list[dict[str, Any]]:
     for port in range(1, PORTS + 1):
         device = plugged.get(port)
         if device is None:
-            found.append({"port": port, "type": _NONE, "mode": 0, "values": []})
+            found.append({"port": port, "type": NO_DEVICE.number, "mode": 0, "values": []})
             continue
         values = [device.raw(dataset) for dataset in range(device.mode_data.datasets)]
         shown = [None if math.isnan(value) else value for value in values]

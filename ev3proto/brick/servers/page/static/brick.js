@@ -4,7 +4,6 @@ const WIDTH = 178, HEIGHT = 128, ROW_BYTES = 23;
 const LIGHT = [210, 217, 195], DARK = [30, 36, 30];
 const HOME = "/home/root/lms2012";
 const MOST_LINES = 1000;
-const UNITS = { pct: "%", deg: "°", "d/s": "°/s", c: "°C", f: "°F", inch: "in" };
 
 const BRICK = `
 <section class="front" aria-label="Brick">
@@ -150,7 +149,7 @@ export const showBrick = (place, send) => {
     select.setAttribute("aria-label", `Port ${port}`);
     for (const type of facts.types) {
       if (type.motor !== isMotor && type.number !== facts.none) continue;
-      const option = make("option", type.number === facts.none ? "(nothing)" : type.name);
+      const option = make("option", type.number === facts.none ? "(nothing)" : type.title);
       option.value = type.number;
       option.selected = type.number === chosen;
       select.append(option);
@@ -202,9 +201,9 @@ export const showBrick = (place, send) => {
       do: "read", port: sensor.port, mode: sensor.mode, values: controls.map((each) => each.value()),
     });
     const values = make("div");
-    for (let index = 0; mode && index < mode.datasets; index++) {
-      const label = `Port ${sensor.port}, ${mode.name}${mode.datasets > 1 ? `, value ${index + 1}` : ""}`;
-      const control = isSwitch(mode) ? touchButton(mode, label, read) : slider(mode, label, read);
+    for (const [name, unit] of mode?.values ?? []) {
+      const label = `Port ${sensor.port}, ${mode.name}, ${name}`;
+      const control = isSwitch(mode) ? touchButton(mode, label, read) : slider(mode, unit, label, read);
       controls.push(control);
       values.append(control.element);
     }
@@ -212,7 +211,7 @@ export const showBrick = (place, send) => {
     return { type: sensor.type, mode: sensor.mode, box, controls };
   };
 
-  const isSwitch = (mode) => !mode.symbol && mode.datasets === 1 && mode.si[0] === 0 && mode.si[1] === 1;
+  const isSwitch = (mode) => mode.values.length === 1 && !mode.values[0][1] && mode.si[0] === 0 && mode.si[1] === 1;
 
   const touchButton = (mode, label, read) => {
     const element = make("button", "", "touch");
@@ -229,7 +228,7 @@ export const showBrick = (place, send) => {
     return { element, value: () => raw, show };
   };
 
-  const slider = (mode, label, read) => {
+  const slider = (mode, unit, label, read) => {
     const element = make("label"), input = make("input"), output = make("output");
     input.type = "range";
     input.min = Math.min(...mode.raw);
@@ -242,15 +241,15 @@ export const showBrick = (place, send) => {
     element.append(input, output);
     const show = (value) => {
       if (!isDragged) input.value = value ?? 0;
-      output.textContent = value === null ? "–" : inUnits(mode, value);
+      output.textContent = value === null ? "–" : inUnits(mode, value, unit);
       input.setAttribute("aria-valuetext", output.textContent);
     };
     return { element, value: () => Number(input.value), show };
   };
 
-  const inUnits = ({ raw, si, decimals, symbol }, value) => {
+  const inUnits = ({ raw, si, decimals }, value, unit) => {
     const scaled = raw[0] === raw[1] ? value : si[0] + (value - raw[0]) * (si[1] - si[0]) / (raw[1] - raw[0]);
-    return `${scaled.toFixed(decimals)} ${UNITS[symbol] ?? symbol}`.trim();
+    return `${scaled.toFixed(decimals)} ${unit}`.trim();
   };
 
   // Sound

@@ -59,7 +59,8 @@ class _Listing:
         self._costs: Counter[str] = Counter()
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self._costs[report.nodeid] += sum(value for name, value in report.user_properties if name == _KEY)
+        spent = [value for name, value in report.user_properties if name == _KEY]
+        self._costs[report.nodeid] += sum(value for value in spent if isinstance(value, float))
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         lines = [f"{seconds:.2f}\t{test}" for test, seconds in self._costs.most_common()]

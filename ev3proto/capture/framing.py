@@ -22,7 +22,7 @@ from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
 from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossible_length, may_have_length, may_start
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import foreign
+from ev3proto.semantics.identify import foreign, identify
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 
@@ -208,7 +208,7 @@ class Cutter:
         )
         if self._in_step and buffer.size is not None and not is_text:
             reason += f" and {buffer.size - len(buffer)} are missing"
-        return found + self._take_all(reason)
+        return found + self._take_all(advice(identify(buffer.pending, reader=self._finder.schema)) or reason)
 
     def _give_up(self) -> list[StreamPart]:
         """Returns the pieces of the pending bytes, if no more will come."""

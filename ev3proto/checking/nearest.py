@@ -42,7 +42,7 @@ from ev3proto.schema.header import (
     write_memory,
 )
 from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
-from ev3proto.semantics.identify import NOTHING, Kind, foreign
+from ev3proto.semantics.identify import NOTHING, Kind, foreign, identify
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageType
@@ -130,7 +130,11 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     if found is not NOTHING:
         return ()
     text = mangled(report.frame, reader)
-    return _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
+    meant = _Search(report).suggestions() if text is None else (_before_text(report.frame, text),)
+    bare = NOTHING if meant else identify(report.frame, reader=reader)
+    if bare.kind is Kind.OPERATIONS and bare.frame is not None:
+        return (Suggestion("header-missing", 0, 0, SLIPS["header-missing"].sentence, bare.frame),)
+    return meant
 
 
 class Suggestions:

@@ -73,6 +73,8 @@ SLIPS = {
         "0800 0100 00 0200 81 01 60", _BATTERY),
     "header-long": Slip(4.5, "two bytes too many: the header has the length, the counter, one byte of type, the memory",
         "0F00 0100 0000 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
+    "header-missing": Slip(4, "these are operations without a header: its length, counter, type and memory come first",
+        "A5 00 01 8132 A6 00 01", "0D00 0000 80 0000 A5 00 01 8132 A6 00 01"),
     "header-short": Slip(5, "a byte of the header is missing",
         "0400 01 01 9D", "0400 0100 01 9D"),
     "type": Slip(3.5, "the type {0:02X} is wrong: {1:02X}, {2}, fits",

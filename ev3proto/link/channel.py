@@ -148,13 +148,13 @@ class Channel:
                 self._session.abandon(ticket.request)
                 self._by_request.pop(id(ticket.request), None)
                 self._forget(ticket)
-            odd = self._odd
+            odd, pending = self._odd, self._session.pending
         sentence = (
             f"no answer from {self.label} to the command with the counter {ticket.request.counter} within {timeout:g} s"
             f"; {self._reason(ticket.request.frame)}"
         )
         if odd is not None:
-            sentence += f" The last bytes received were {_told(odd)}"
+            sentence += f" The last bytes received were {_told(odd, pending)}"
         return NoAnswerError(sentence)
 
     def _reason(self, frame: bytes) -> str:
@@ -243,11 +243,11 @@ class Channel:
         return ConnectionLostError(str(self._lost))
 
 
-def _told(event: Event) -> str:
+def _told(event: Event, pending: bytes) -> str:
     if isinstance(event, OutOfStep):
-        shown, rest = event.data, advice(foreign(event.data)) or "not a frame"
+        shown, what, named = event.data, "not a frame", advice(foreign(event.data + pending))
     else:
         assert not isinstance(event, Answered)
-        shown, rest = event.frame, f"a frame that {event.oddity.value}"
+        shown, what, named = event.frame, f"a frame that {event.oddity.value}", advice(foreign(event.frame))
     dots = "..." if len(shown) > _MOST_SHOWN else ""
-    return f"{rest}, {shown[:_MOST_SHOWN].hex(':').upper()}{dots}"
+    return f"{what}{f' ({named})' if named else ''}, {shown[:_MOST_SHOWN].hex(':').upper()}{dots}"

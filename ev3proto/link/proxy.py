@@ -26,7 +26,7 @@ from ev3proto.link.relays import Client, Guard, Passing, Sent
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import foreign
+from ev3proto.semantics.identify import foreign, identify
 from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
@@ -186,7 +186,8 @@ class Proxy:
         if client is self.client:
             left = client.decoder.pending
             fault = client.decoder.close() if left else None
-            self._end(client, None if fault is None else fault.reason)
+            said = None if self._options.is_masked else advice(identify(left))
+            self._end(client, None if fault is None else said or fault.reason)
 
     def _end(self, client: Client, reason: str | None) -> None:
         self.client = None
@@ -206,6 +207,8 @@ class Proxy:
         shown = self._masked(frame)
         if self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, shown, True))
+        elif (said := advice(foreign(frame))) is not None:
+            self.say_once(f"{client.name}: {said}")
         self._relay.forward(Sent(client, message, self.records.sent(shown), frame))
 
     # The brick

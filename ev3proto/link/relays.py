@@ -119,7 +119,7 @@ class Passing:
         for part in self._stream.feed(data):
             client = self._owner.client
             if isinstance(part, OutOfStep):
-                self._owner.say_once(_dropped(part))
+                self._owner.say_once(_dropped(part, self._stream.pending))
                 continue
             answer = self._pairing.answered(*pairing_key(part), self._now_ns())
             sent, note = (None, None) if answer is None else (answer.command, answer.note)
@@ -145,8 +145,8 @@ class Passing:
         return round(self._owner.now() * _NANOSECONDS)
 
 
-def _dropped(part: OutOfStep) -> str:
-    said = advice(foreign(part.data))
+def _dropped(part: OutOfStep, pending: bytes) -> str:
+    said = advice(foreign(part.data + pending))
     why = f" ({said})" if said else ""
     return f"the brick sent {len(part.data)} bytes that are not a frame{why}; they were dropped"
 
@@ -180,7 +180,7 @@ class Guard:
         client = self._owner.client
         for event in self._session.feed(data):
             if isinstance(event, OutOfStep):
-                self._owner.say_once(_dropped(event))
+                self._owner.say_once(_dropped(event, self._session.pending))
             elif isinstance(event, Answered) and event.request is self._request:
                 self._cancel()
                 self._step(event.frame)

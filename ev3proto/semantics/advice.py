@@ -13,18 +13,26 @@ _SAID = {
     Kind.NXT: "this is a telegram of the NXT ({}), LEGO's earlier brick; an EV3 does not know it",
     Kind.HUB: "this is a message of LEGO's Wireless Protocol ({}), for hubs with Bluetooth Low Energy (its first byte"
     " counts all bytes, the second is the hub, the third the type); an EV3 does not know it",
+    Kind.NO_LENGTH: "this is a frame without its length bytes",
+    Kind.OPERATIONS: "these are operations without the header of a frame",
+}
+_SLIPS = {
+    "length-self": "this is a frame whose length counts its own two bytes",
+    "length-swapped": "this is a frame whose length has its high byte first",
 }
 _ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also this frame of an EV3"
 
 
 def advice(found: Identity) -> str | None:
-    """Returns a sentence about bytes that are a text or another product's telegram; None for any other."""
+    """Returns a sentence about bytes that are not a frame; None for any other, and for one that was cut."""
     if found.kind is Kind.TEXT:
         return _of_text(found.name)
     if found.kind is Kind.DIGITS and found.frame is not None:
         size = len(found.frame)
         meant = found.frame.hex(" ").upper() if size <= _MOST_SENT else f"its {size} bytes"
         return f"this is the text {_cut(found.name, _MOST_DIGITS)!r}, a frame written as characters; send {meant}"
+    if found.kind is Kind.SLIP:
+        return _SLIPS.get(found.name)
     return _SAID[found.kind].format(found.name) if found.kind in _SAID else None
 
 

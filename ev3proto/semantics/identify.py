@@ -229,34 +229,26 @@ def _wrong_header(given: _Given) -> Identity | None:
         # Any bytes are a reply.
         is_near = abs(says - len(data)) <= _NEARLY
         is_cut = len(data) < says < _MOST_OF_REPLY * len(data) and not given.is_doubtful
-        return Identity(Kind.SLIP, _length_slip(data)) if whole and (is_near or is_cut) else None
+        return Identity(Kind.SLIP, _cut_or_long(data)) if whole and (is_near or is_cut) else None
     return _wrong_command(given, says)
 
 
 def _wrong_command(given: _Given, says: int) -> Identity | None:
     data, reader = given.data, given.reader
-    slip, mended = _length_slip(data), with_length(data[LENGTH_FIELD:])
-    if not (is_frame_size(says) and says <= MOST_MISSING * len(data)) and slip != "length-swapped":
+    mended, is_swapped = with_length(data[LENGTH_FIELD:]), frame_size(data[1::-1]) == len(data)
+    if not (is_frame_size(says) and says <= MOST_MISSING * len(data)) and not is_swapped:
         return None
-    if is_sure(mended, reader):
-        return Identity(Kind.SLIP, slip, mended)
+    if is_sure(mended, reader) or (given.is_whole and is_flawless(mended, reader)):
+        is_self = says == len(data) + LENGTH_FIELD
+        return Identity(Kind.SLIP, "length-self" if is_self else "length-swapped" if is_swapped else "length", mended)
     is_meant = given.is_whole and (
-        abs(says - len(data)) <= _NEARLY
-        or is_flawless(mended, reader)
-        or _is_truncated(mended, reader)
-        or is_flawless(data[:says], reader)
+        abs(says - len(data)) <= _NEARLY or _is_truncated(mended, reader) or is_flawless(data[:says], reader)
     )
-    return Identity(Kind.SLIP, slip) if is_meant else None
+    return Identity(Kind.SLIP, _cut_or_long(data)) if is_meant else None
 
 
-def _length_slip(data: bytes) -> str:
-    """Returns what is wrong with the length field."""
-    says = frame_size(data)
-    if says == len(data) + LENGTH_FIELD:
-        return "length-self"
-    if frame_size(data[1::-1]) == len(data):
-        return "length-swapped"
-    return "cut" if says > len(data) else "length"
+def _cut_or_long(data: bytes) -> str:
+    return "cut" if frame_size(data) > len(data) else "length"
 
 
 def _bare(given: _Given) -> Identity | None:

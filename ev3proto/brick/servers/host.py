@@ -18,7 +18,7 @@ from ev3proto.errors import counted
 from ev3proto.schema.frame_buffer import FrameBuffer
 from ev3proto.schema.header import out_of_step
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import foreign
+from ev3proto.semantics.identify import foreign, identify
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.version import REPORT_IT
 
@@ -442,5 +442,5 @@ def _unfinished(left: bytes) -> str:
         return f"the connection ended before {counted(frames, 'frame')} of it {'was' if frames == 1 else 'were'} served"
     if buffer.size is None:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
-    reason = advice(foreign(buffer.pending)) or out_of_step(buffer.pending)
+    reason = advice(identify(buffer.pending)) or out_of_step(buffer.pending)
     return reason or f"the connection ended inside a frame: {len(buffer)} of its {counted(buffer.size, 'byte')} came"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -127,8 +128,8 @@ def say_json(entry: Mapping[str, Any]) -> None:
     say(json.dumps(entry, ensure_ascii=False))
 
 
-_FORMULA_MARKS = ("=", "+", "-", "@")
-"""Characters with which a formula begins; the control characters that also count are escaped."""
+_FORMULA = re.compile(r"(?![+-][0-9.]+$)[=+\-@]")
+"""The beginning of a formula, but not of a number; the control characters that also count are escaped."""
 
 
 class _Line:
@@ -157,7 +158,7 @@ def _cell(cell: object) -> object:
     if not isinstance(cell, str):
         return cell
     text = visible(cell)
-    return f"'{text}" if text.startswith(_FORMULA_MARKS) else text
+    return f"'{text}" if _FORMULA.match(text) else text
 
 
 def draw(lines: Iterable[str]) -> None:

@@ -73,10 +73,11 @@ def test_csv_has_at_least_one_row_for_each_message(frame: str, rows: list[str]) 
 
 def test_a_text_in_csv_is_never_a_formula(tmp_path: Path) -> None:
     """Spreadsheets calculate cells that begin so; a capture may come from anybody."""
-    for text in ("=cmd", "+1", "-1", "@SUM", "\tx"):
+    for text in ("=cmd", "+1+1", "-1-cmd", "@SUM", "\tx"):
         fields = bytes.fromhex("02 00 01 99 E8 03") + text.encode() + b"\0"
         (path,) = [row[7] for row in table((bytes((len(fields), 0)) + fields).hex(" ")) if row[6] == "path"]
         assert path in (f"'{text}", "\\u0009x")
+    assert table("0A 00 02 00 01 99 E8 03 2D 30 37 00")[2][7] == "-07"  # a number
     minus = table("09 00 2A 00 80 00 00 A4 00 01 32")
     assert [row[7] for row in minus if row[6] == "POWER"] == ["-14"]
 

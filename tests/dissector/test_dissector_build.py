@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import pytest
 from support.cli import run_ev3proto, run_program
+from support.pictures import dissector_texts
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.generate.dissector.build import files
@@ -297,6 +298,12 @@ def test_the_commands_print_what_is_shown(
             ["bash", "-c", command], cwd=tshark.folder, env=shell, capture_output=True, text=True, check=False
         )
         assert done.stdout == output, command
+
+
+def test_no_picture_is_out_of_date(tshark: Tshark) -> None:
+    for path, text in dissector_texts(tshark).items():
+        assert path.with_suffix(".png").exists()
+        assert path.read_text(encoding="utf-8") == text, "run docs/pictures, and look at the pictures"
 
 
 def test_every_name_in_the_readme(tshark: Tshark, fields: dict[str, Field]) -> None:

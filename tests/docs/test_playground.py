@@ -27,6 +27,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select
 from support.browser import chromium, complaints, scrolls_sideways
 from support.cli import run_ev3proto
+from support.pictures import PLAYGROUND, open_playground
 from support.playground import Page, fragment, put_fakes, served_site
 
 from ev3proto.generate.captures.packets import write_pcapng
@@ -84,6 +85,11 @@ def test_a_link_opens_with_its_frame_read_on_a_phone(address: str, tmp_path: Pat
         _look_at_the_tone(page)
         _look_at_a_phone(page)
         assert complaints(browser) == []
+
+
+def test_the_picture_of_the_playground_shows_what_it_says(browser: Chrome, address: str) -> None:
+    text = PLAYGROUND.with_suffix(".txt").read_text(encoding="utf-8")
+    assert open_playground(Page(browser, address)) == text, "run docs/pictures, and look at the picture"
 
 
 def test_a_link_opens_with_its_frame_read(page: Page) -> None:

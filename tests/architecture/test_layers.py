@@ -133,6 +133,7 @@ FACES = {
             "footprint",
             "identify",
             "judgement",
+            "likelihood",
             "mangled",
             "pairing",
             "readings",

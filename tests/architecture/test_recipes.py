@@ -155,7 +155,7 @@ RECIPES: dict[str, tuple[Change, ...]] = {
     ),
     "A notation": (
         Change(
-            "ev3proto/text/paste/tokens.py",
+            "ev3proto/text/paste/elements.py",
             '    Form("blank", "(byte)",',
             '    Form("blank", "0f |@|", "@"),\n    Form("blank", "(byte)",',
         ),
@@ -163,6 +163,14 @@ RECIPES: dict[str, tuple[Change, ...]] = {
             "docs/notations.md",
             "\nF 0 0 0 80 ",
             f"\n{TONE.hex(MARK).replace(MARK, MARK + chr(32))}{MARK}\nF 0 0 0 80 ",
+        ),
+    ),
+    "Damage to a frame on its way into a text": (
+        Change(
+            "ev3proto/text/paste/repairs.py",
+            "\n\nREPAIRS = (",
+            "\n\ndef _doubled(line: str) -> Iterator[str]:\n    yield line[::2]\n"
+            '\n\nREPAIRS = (\n    Repair("00ff", _doubled, "each digit is doubled"),',
         ),
     ),
     "A capture format": (
@@ -434,6 +442,11 @@ def test_a_notation_is_read(copy: Path) -> None:
         if "@" in line and line.startswith("0f@")
     )
     assert "SOUND.TONE" in _run(copy, "decode", line)
+
+
+def test_damage_is_undone(copy: Path) -> None:
+    doubled = "".join(digit * 2 for digit in TONE.hex())
+    assert "SOUND.TONE" in _run(copy, "decode", doubled)
 
 
 def test_an_export_is_checked_in_and_has_a_subcommand(copy: Path) -> None:

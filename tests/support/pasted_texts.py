@@ -45,7 +45,7 @@ class Recorder:
             finally:
                 self.texts["".join(kept)[:LONGEST]] = None
 
-        Reader.read = keeps  # type: ignore[method-assign]
+        Reader.read = keeps  # type: ignore[method-assign,assignment]
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -88,7 +88,8 @@ def result(text: str) -> list[Any]:
         argument = [_shown(read_argument(text))] if text.count("\n") <= 1 and len(text) < LONGEST else []
     except Exception as error:  # the fault of the code that is tried
         found, argument = [{"error": repr(error)}], []
-    return json.loads(json.dumps([found, argument], default=bytes.hex))
+    read: list[Any] = json.loads(json.dumps([found, argument], default=bytes.hex))
+    return read
 
 
 def make(record: Path, more: list[Path]) -> None:

@@ -4,15 +4,15 @@ One rule says what a frame is: byte values, in any notation, whose length field 
 and whatever is around them. The protocol decides which values are bytes, and in which base.
 
 To add a notation, add an example to `docs/notations.md`: tests read it, in prose, in rows, and among other lines. If it
-is not read, its values are unknown or what is between them: add a row to `FORMS` in `tokens` with its kind, an example
-and a pattern (a suffix, a mark, a comment). A value with bytes of a new kind needs a line in `_bytes_of`, too. Nothing
-else knows notations: if values are found but the frame is not, the order of worth is in `sequences.Worth`.
+is not read, its elements are unknown or what is between them: add a row to `FORMS` in `elements`. If a frame was
+changed on its way into the text, add a row to `REPAIRS`. Nothing else knows notations.
 
-    tokens       a line -> the values in it, and the bytes of a value in each base; a row for each form
-    sequences    values -> their bytes in each base -> the likeliest reading
-    rows         lines that look alike -> sequences of their values
+    elements     a line -> its elements, and the bytes of an element in each base; a row for each form
+    runs         hypotheses: which elements of a line, or of lines that look alike, are bytes
     frames       bytes -> the frames in them, and what was meant as one
-    near         wrong frames, slips, pieces that were cut
+    judge        what a run is worth
+    near         wrong frames, slips, what was cut
+    repairs      what happened to a frame on its way into the text
     heads        the time and the direction in front of bytes
     pieces       what is reported
     strangers    what bytes and lines are that have nothing to do with frames

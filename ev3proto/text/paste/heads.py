@@ -84,11 +84,6 @@ class Head(NamedTuple):
     arrow: str = ""
     label: str | None = None
 
-    @property
-    def is_log(self) -> bool:
-        """Whether a word says which way bytes went."""
-        return self.direction is not None
-
 
 NO_HEAD = Head()
 

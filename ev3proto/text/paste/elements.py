@@ -1,16 +1,16 @@
-r"""A line of text -> the values in it, and the bytes of a value.
+r"""A line of text -> its elements, by one table of forms, and the bytes of an element in each base.
 
-A line is split once, by the table `FORMS`. A value is a group of bare digits (`0f`, `15`, `0f00`), whose base is not
-known yet, or something that says itself what it is: `0x0f`, `0Fh`, `-128`, `'a'`, `"\x0f\0"`, `LC1(20)`, `xx`. Between
-two values is a gap. To add a notation, add a row here, and its bytes in `_bytes_of`; a test reads every example.
+An element is a number of a base that is not known yet (`0f`, `15`), or something that says itself what it is: `0x0f`,
+`'a'`, `"\x0f\0"`, `opSOUND`, `LC1(20)`, `xx`, an ellipsis. Between two is a gap. To add a notation, add a row to
+`FORMS`; if its bytes are written in a new way, a row to `_WAYS`.
 """
 
 from __future__ import annotations
 
 import binascii
 import re
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable
+from functools import cache, lru_cache
 from itertools import groupby
 from typing import NamedTuple
 
@@ -22,17 +22,12 @@ from ev3proto.tables.frame import MessageType
 from ev3proto.text.paste.heads import CLOCK
 
 
-class Token(NamedTuple):
+class TextElement(NamedTuple):
     """A value of a line.
 
-    kind   "digits" have any base; "marked" says itself what it is; "string" has many bytes; "character" is one, in
-           single quotes; "unknown" has bytes that are not given; "cut" is an ellipsis, and "open" a string without
-           its second quote, which have none
-    text   as it is written
-    start  where it is in its line
-    end
+    kind   "digits" have any base; "marked" says itself what it is; "string" has many bytes; "character" is one;
+           "unknown" has bytes that are not given; "cut" is an ellipsis and "open" a string without its end
     gap    what is in front of it, without comments and casts
-    line   the number of its line
     """
 
     kind: str
@@ -44,20 +39,15 @@ class Token(NamedTuple):
 
 
 class Form(NamedTuple):
-    """How something is written: a kind of value, "blank" for what means nothing, "other" for all else.
-
-    In examples, the value is between bars if there is something around it.
-    """
+    """How something is written: a kind of element, "blank" for what means nothing, "other" for all else."""
 
     kind: str
     example: str
     pattern: str
 
 
-EXPRESSION = "\ufffc"
-"""What is read in place of each character of an expression, which is an unknown value."""
-TEXT = "\ufffb"
-"""What is read in place of the first quote of a string without escapes, if its characters are bytes."""
+EXPRESSION, TEXT = "\ufffc", "\ufffb"
+"""What is read in place of each character of an expression; of the first quote of a text whose characters are bytes."""
 
 _H = "[0-9a-fA-F]"
 _SUFFIX = r"(?:_?u8|[uU]?[yYL]|L?[uU]|\.to(?:U?Byte|Char)\(\))"
@@ -90,6 +80,8 @@ FORMS = (
     Form("run", "0f 00 2a 00 80 00 00 94", rf"(?<![\w.])(?:{_H}{{2}}[ :|,-]){{7,}}{_H}{{2}}(?=[\s,|]|$)"),
     # Most values have the first form. After a time or a date come other signs, so it does not take a part of one.
     Form("digits", "0f", rf"(?<!\w){_H}+(?=[\s,|]|$)(?<!0[bB][01]{{8}})|(?<=[:|]){_H}{{2}}(?=[:|])"),
+    Form("blank", "byte cmd|[17]| = {0f}", r"(?<=\w)\[\d+(?:\.\.\d+)?\](?!\s?=\s?[^{\s])"),  # a size
+    Form("word", "x.|add|(0f)", r"(?<=\.)[a-fA-F]+(?=\()"),  # a method, not a number
     Form("blank", "0f |b''.join|(", r"(?<!\w)b?(?:\"\"|'')\.join(?=\()"),
     # Strings: those without an escape are read as what is in them.
     Form(
@@ -163,32 +155,23 @@ FORMS = (
 """How values are written, and what is between them; the first form that matches at a place counts."""
 
 
-class _Splitter(NamedTuple):
-    pattern: re.Pattern[str]
-    kinds: dict[str, str]
-
-
 @cache
-def _splitter() -> _Splitter:
+def _splitter() -> tuple[re.Pattern[str], dict[str, str]]:
     # Compiled for the first line that has more than digits.
     runs = [(kind, [form.pattern for form in run]) for kind, run in groupby(FORMS, lambda form: form.kind)]
     forms = "|".join(f"(?P<{kind}_{number}>{'|'.join(run)})" for number, (kind, run) in enumerate(runs))
     pattern = re.compile(rf"(?=[^\s,:|])(?:{forms})", re.VERBOSE | re.DOTALL)
-    return _Splitter(pattern, {name: name.rpartition("_")[0] for name in pattern.groupindex})
+    return pattern, {name: name.rpartition("_")[0] for name in pattern.groupindex}
 
 
 _PLAIN = re.compile(r"[0-9a-fA-F\s,|]*+|\s*(?:[0-9a-fA-F]{2}:)+\s*")
-"""Lines of nothing but digits: they need no other form. A line that ends with a colon is not a time."""
+"""Lines of nothing but digits need no other form: they take a third of the time so."""
 _DIGITS = re.compile(r"[0-9a-fA-F]+")
 _LEAD = re.compile(rf"[\s/#;*>]*(?:(?:[\w.$@]{{1,40}}:?\s{{1,40}})?{_DIRECTIVE}(?:[ ]{{1,3}}|\t)(?=\S))?")
-"""Marks of comments and quotations at the start of a line, in which there may be bytes; `label: db ` of assemblers.
-
-Among pairs of digits, `db` is a byte.
-"""
+"""Marks of comments and quotations at the start of a line; `label: db ` of assemblers."""
 _LOOKALIKES = str.maketrans(
     "\u2502\u2503\u250a\u00a0\u202f\u201c\u201d\u201e\u2018\u2019\u2010\u2011\u2013\u2212", '||   """\'\'----'
 )
-"""Frames of tables, blanks that do not break, smart quotes, dashes."""
 
 
 def clean(line: str) -> str:
@@ -196,18 +179,18 @@ def clean(line: str) -> str:
     return line if line.isascii() else line.translate(_LOOKALIKES)
 
 
-def tokens_in(line: str, number: int = 0) -> list[Token]:
-    """Returns the values of a line."""
-    return split(line, number)[0]
-
-
-def split(line: str, number: int) -> tuple[list[Token], str]:
-    """Returns the values of a line, and what is behind the last one, without comments."""
+def split(line: str, number: int = 0) -> tuple[list[TextElement], str]:
+    """Returns the elements of a line, and what is behind the last one, without comments."""
+    found: list[TextElement] = []
+    new, at, gap = tuple.__new__, 0, ""  # as TextElement(...), in half its time: lines have many
     if _PLAIN.fullmatch(line) and "0b" not in line:
-        return list(_plain_tokens(line, number)), ""
-    found: list[Token] = []
+        for match in _DIGITS.finditer(line):
+            begin, end = match.span()
+            found.append(new(TextElement, ("digits", match[0], begin, end, line[at:begin], number)))
+            at = end
+        return found, ""
     lead = _LEAD.match(line)
-    at, gap = (0 if lead is None else lead.end()), ""
+    at = lead.end() if lead else 0
     pattern, kinds = _splitter()
     for match in pattern.finditer(line, at):
         kind = kinds[match.lastgroup or ""]
@@ -217,182 +200,135 @@ def split(line: str, number: int) -> tuple[list[Token], str]:
         gap += line[at:begin]
         at = end
         if kind == "run":
-            gaps = [gap, *line[begin + 2 : end : 3]]
-            found += [
-                tuple.__new__(Token, ("digits", line[start : start + 2], start, start + 2, gap, number))
-                for start, gap in zip(range(begin, end, 3), gaps, strict=True)
-            ]
+            for start in range(begin, end, 3):
+                found.append(new(TextElement, ("digits", line[start : start + 2], start, start + 2, gap, number)))
+                gap = line[start + 2 : start + 3]
             gap = ""
         elif kind == "other":
             gap += "~"
         elif kind != "blank":
-            # As Token(...), in half its time: lines have many.
-            found.append(tuple.__new__(Token, (kind, match[0], begin, end, gap, number)))
+            found.append(new(TextElement, (kind, match[0], begin, end, gap, number)))
             gap = ""
     return found, gap + line[at:]
 
 
-def _plain_tokens(line: str, number: int) -> Iterator[Token]:
-    at = 0
-    for match in _DIGITS.finditer(line):
-        yield Token("digits", match[0], match.start(), match.end(), line[at : match.start()], number)
-        at = match.end()
+# Unknown elements: expressions and texts in the places of others
 
-
-# Expressions and texts
-
-_PART = r"""(?:[^,()\[\]{}"'`;=\\]|\([^()]*\))"""
-_ELEMENT = re.compile(rf"(?:^\s*|[\[{{(,]\s*+|\]\s?=\s?)((?!\s|$)(?!(?<=\[)\w+\]){_PART}+?)(?=\s*(?:[,\]}});]|$))")
-"""A name alone in square brackets is a type or an index: `let b: [UInt8] = [0x0f]`."""
+_PART = r"""(?:[^,()\[\]{}"'`;=\\#]|\([^()]*\))"""
+_SLOT = re.compile(rf"(?:^\s*|[\[{{(,]\s*+|\]\s?=\s?)((?!\s|$|[/#])(?!(?<=\[)\w+\]){_PART}+?)(?=\s*(?:[,\]}});]|$))")
+"""What is between two commas or brackets; a name alone in square brackets is a type: `let b: [UInt8] = [0x0f]`."""
+_CAST = re.compile(rf"\({_TYPE}\s?\*?\)")
 _OPENING = re.compile(r"[\[{(]")
+_FIRST = re.compile(r"\s*(?:0[xX])?[0-9a-fA-F]+\s?,")
 _IDENTIFIER = re.compile(r"(?<!\w)(?!0[xX])[A-Za-z_]\w*")
 _WORDS = re.compile(r"[\w)]\s+\w")
 _OPERATOR = re.compile(r"[+*/&|^%<>-]")
 _TEXT_IN_CALL = re.compile(r"(?<=[\w\])]\()\"(?=[^\"\\]+\"\s?\))")
 
 
-def widened(line: str, number: int, *, is_inside: bool) -> list[Token] | None:
-    """Returns the values with expressions and texts among them: `{size, 0}`, `m[0] = size;`, `print("abc")`.
+def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | None:
+    """Returns the elements with expressions and texts among them: `{size, 0}`, `m[0] = size;`, `print("abc")`.
 
-    Args:
-        line: A line.
-        number: Its number.
-        is_inside: It begins inside a list; otherwise its first bracket opens one.
-
-    Returns:
-        The values; None if there are none but those of `tokens_in`.
+    None if there are none but those of `split`. `is_inside` tells that the line begins inside a list.
     """
+    line = _CAST.sub(lambda cast: " " * len(cast[0]), line)
     opening = _OPENING.search(line)
+    is_inside = is_inside or _FIRST.match(line) is not None
     start = 0 if is_inside else len(line) if opening is None else opening.start()
     if _IDENTIFIER.search(line, start) is None:
         return None
-    count = 0
-    parts, at = [line[:start]], start
-    for found in _ELEMENT.finditer(line, start):
+    parts, at, count, slots = [line[:start]], start, 0, 0
+    for found in _SLOT.finditer(line, start):
         begin, end = found.span(1)
-        if _is_expression(found[1]):
+        slots += 1
+        is_known = known_name(found[1]) is not None
+        if is_known or _is_expression(found[1]):
             parts += (line[at:begin], EXPRESSION * (end - begin))
-            at, count = end, count + 1
-    wide = "".join([*parts, line[at:]])
-    if count * 2 > line.count(",", start) + 1 and count != 1:
-        wide = line
+            at, count = end, count + (not is_known)
+    # A list of names has few bytes.
+    wide = "".join([*parts, line[at:]]) if count * 2 <= slots or count == 1 else line
     wide = _TEXT_IN_CALL.sub(TEXT, wide)
-    return None if wide == line else tokens_in(wide, number)
+    return None if wide == line else [_named(one, line) for one in split(wide, number)[0]]
 
 
-def _is_expression(value: str) -> bool:
-    if _IDENTIFIER.search(value) is None or _WORDS.search(value):
+def _named(element: TextElement, line: str) -> TextElement:
+    """Returns an expression that is the name of an operation or a type as its byte."""
+    data = known_name(line[element.start : element.end]) if element.text[0] == EXPRESSION else None
+    return element if data is None else element._replace(kind="marked", text=f"0x{data.hex()}")
+
+
+def _is_expression(text: str) -> bool:
+    if _IDENTIFIER.search(text) is None or _WORDS.search(text):
         return False
-    known = tokens_in(value)
-    return len(known) != 1 or _OPERATOR.search(value[: known[0].start] + value[known[0].end :]) is not None
+    known = split(text)[0]
+    return len(known) != 1 or _OPERATOR.search(text[: known[0].start] + text[known[0].end :]) is not None
 
 
 # Bytes
 
 BASES = ("hex", "decimal", "bits", "octal", "words", "base64", "unquoted")
-"""What bare digits may be. A sequence has one base; in strings it says what `\128` is, for `'a'` if it is a digit."""
+"""What bare digits may be. A run has one base; in strings it says what `\128` is, for `'a'` if it is a digit."""
 
 UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 """The bases in which a frame must be without a flaw, as any numbers have them."""
 
 _ONLY_DIGITS = re.compile(rf"(?!0[bB][01]{{8}}$){_H}+")
 _UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
-_MARKED_HEX = re.compile(
-    rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?|(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]"
-)
-"""Assemblers want a digit first: `0A3h`."""
-_MARKED_BITS = re.compile(r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})")
-_MARKED_DECIMAL = re.compile(rf"(-?\d+){_SUFFIX}?")
-_CALL = re.compile(r"(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
 _NAMED = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
 MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<escape>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
 r"""An escape without hex digits, such as `\xof`."""
-_SHORT = 8
-_LONGEST_KEPT, _MOST_LONG = 1 << 12, 16
-_MOST_KEPT = 1 << 14
+_LONGEST_KEPT, _MOST_KEPT = 8, 1 << 14
 
 
-def unknown_bytes(token: Token) -> list[bool]:
-    """Returns for each byte of a value with unknown ones whether it is unknown; nothing for any other value."""
-    if token.kind != "unknown":
+def unknown_bytes(element: TextElement) -> list[bool]:
+    """Returns for each byte of an element with unknown ones whether it is unknown; nothing for any other."""
+    if element.kind != "unknown":
         return []
-    if token.text[0] == EXPRESSION:
+    if element.text[0] == EXPRESSION:
         return [True]
-    found = _UNKNOWN.fullmatch(token.text)
+    found = _UNKNOWN.fullmatch(element.text)
     return [pair[0] in "xXmM" for pair in re.findall("..", found[1] if found else "")]
 
 
 class _Table(dict[str, bytes | None]):
-    """The bytes of values in one base; None where a value has none."""
+    """The bytes of elements in one base; None where one has none."""
 
     def __init__(self, base: str) -> None:
-        self._base, self._long = base, dict[str, bytes | None]()
+        self._base = base
 
     def __missing__(self, text: str) -> bytes | None:
-        if text in self._long:
-            return self._long[text]
-        data = _bytes_of(text, self._base)
-        if len(text) <= _SHORT and len(self) < _MOST_KEPT:
-            self[text] = data
-        elif _SHORT < len(text) <= _LONGEST_KEPT:
-            # A long one is asked for several times while its line is read, then hardly ever.
-            if len(self._long) >= _MOST_LONG:
-                self._long.clear()
-            self._long[text] = data
-        return data
+        if len(text) > _LONGEST_KEPT or len(self) >= _MOST_KEPT:
+            return _of_long(text, self._base)
+        return self.setdefault(text, _bytes_of(text, self._base))
 
 
-def _bytes_of(text: str, base: str) -> bytes | None:
-    if _ONLY_DIGITS.fullmatch(text):
-        return _of_digits(text, base)
-    if base == "base64":
-        return _of_base64(text)
-    if text[0] == "'" and base == "unquoted":
-        return _of_digits(text[1:-1], "hex") if _ONLY_DIGITS.fullmatch(text[1:-1]) else None
-    quote = text[text[0] == "b" : 1 + (text[0] == "b")]
-    if text[0] in (".", "\u2026") or (quote in ("'", '"') and text[-1] != quote):
-        return None  # an ellipsis, a string without its second quote
-    if text[-1] in "\"'`" and text[0] not in "xX":
-        return string_bytes(text[1 if text[0] == TEXT else text.index(text[-1]) + 1 : -1], base)
-    if text[0] == "$" and len(text) == 2 and (base == "decimal" or text[1] not in "abcdefABCDEF"):
-        return text[1].encode("latin-1", "ignore") or None
-    return _of_marked(text) or (string_bytes(text, base) if text[0] == "\\" else _of_name(text))
+def _byte(number: int, least: int = 0) -> bytes | None:
+    return bytes((number & 0xFF,)) if least <= number < 256 else None
 
 
-def _of_marked(text: str) -> bytes | None:
-    if found := _MARKED_HEX.fullmatch(text):
-        return _of_digits(found[1] or found[2], "hex")
-    if found := _MARKED_BITS.fullmatch(text):
-        return bytes((int(found[1] + found[2], 2),))
-    if found := _MARKED_DECIMAL.fullmatch(text):
-        return bytes((int(found[1]) & 0xFF,)) if -128 <= int(found[1][:9]) < 256 else None
-    if text[0] == EXPRESSION:
-        return b"\0"
-    if found := _UNKNOWN.fullmatch(text):
-        return bytes.fromhex(re.sub("[xXmM]", "0", found[1]))
-    joined = text.replace("_", "")
-    return bytes.fromhex(joined) if text[2:3] == "_" and _ONLY_DIGITS.fullmatch(joined) else None
+def _hex(digits: str) -> bytes | None:
+    if len(digits) == 8 and digits[:6] in ("ffffff", "FFFFFF"):
+        return bytes.fromhex(digits[6:])  # a negative byte of Java or C, spread over 32 bits
+    return bytes.fromhex(digits.zfill(2)) if len(digits) == 1 or len(digits) % 2 == 0 else None
 
 
-def _of_digits(digits: str, base: str) -> bytes | None:
-    size = len(digits)
-    if base in ("hex", "unquoted"):
-        if size == 8 and digits[:6] in ("ffffff", "FFFFFF"):
-            return bytes.fromhex(digits[6:])  # a negative byte of Java or C, spread over 32 bits
-        return bytes.fromhex(digits.zfill(2)) if size == 1 or size % 2 == 0 else None
-    if base == "decimal":
-        return bytes((int(digits),)) if size <= 3 and digits.isdecimal() and int(digits) < 256 else None
-    if base == "bits":
-        return int(digits, 2).to_bytes(size // 8, "big") if size % 8 == 0 and {*digits} <= {"0", "1"} else None
-    if base == "octal":
-        is_octal = size in (3, 4) and {*digits} <= {*"01234567"} and int(digits, 8) < 256
-        return bytes((int(digits, 8),)) if is_octal else None
-    if base == "words":
-        return bytes.fromhex(digits)[::-1] if size in (2, 4, 6, 8) else None
-    return _of_base64(digits)
+def _decimal(digits: str) -> bytes | None:
+    return _byte(int(digits)) if len(digits) <= 3 and digits.isdecimal() else None
 
 
-def _of_base64(text: str) -> bytes | None:
+def _bits(digits: str) -> bytes | None:
+    return int(digits, 2).to_bytes(len(digits) // 8, "big") if len(digits) % 8 == 0 and {*digits} <= {*"01"} else None
+
+
+def _octal(digits: str) -> bytes | None:
+    return _byte(int(digits, 8)) if len(digits) in (3, 4) and {*digits} <= {*"01234567"} else None
+
+
+def _words(digits: str) -> bytes | None:
+    return bytes.fromhex(digits)[::-1] if len(digits) in (2, 4, 6, 8) else None
+
+
+def _base64(text: str) -> bytes | None:
     digits = text.rstrip("=").replace("-", "+").replace("_", "/")
     try:
         return binascii.a2b_base64(digits + "=" * (-len(digits) % 4), strict_mode=True)
@@ -400,13 +336,69 @@ def _of_base64(text: str) -> bytes | None:
         return None
 
 
+_OF_DIGITS = {
+    "hex": _hex,
+    "unquoted": _hex,
+    "decimal": _decimal,
+    "bits": _bits,
+    "octal": _octal,
+    "words": _words,
+    "base64": _base64,
+}
+
+_WAYS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], bytes | None]], ...] = tuple(
+    (re.compile(pattern, re.DOTALL), make)
+    for pattern, make in (
+        (r"\.\.\.|\u2026", lambda *_: None),
+        (
+            r"'([0-9a-fA-F]+)'",
+            lambda found, base: _hex(found[1]) if base == "unquoted" else string_bytes(found[1], base),
+        ),
+        (rf"{TEXT}([^\"]*)\"", lambda found, base: string_bytes(found[1], base)),
+        (r"""[^'"`\\xX]*(["'`])(.*)\1""", lambda found, base: string_bytes(found[2], base)),
+        (r"b?[\"'].*", lambda *_: None),  # a string without its second quote
+        (r"\$([^0-9a-fA-F]|[a-fA-F])", lambda found, base: _character(found[1], base)),
+        (rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?", lambda found, _: _hex(found[1])),
+        # Assemblers want a digit first: `0A3h`.
+        (rf"(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]", lambda found, _: _hex(found[1])),
+        (r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})", lambda found, _: _byte(int(found[1] + found[2], 2))),
+        (rf"(-?\d{{1,9}}){_SUFFIX}?", lambda found, _: _byte(int(found[1]), -128)),
+        (f"{EXPRESSION}+", lambda *_: b"\0"),
+        (_UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM]", "0", found[1]))),
+        (rf"{_H}{{2}}(?:_{_H}{{2}})+", lambda found, _: bytes.fromhex(found[0].replace("_", ""))),
+        (r"\\.*", lambda found, base: string_bytes(found[0], base)),
+        (r".*", lambda found, _: _of_name(found[0])),
+    )
+)
+"""How an element says what it is, and its bytes; the first row that fits counts."""
+
+
+def _unquoted(text: str, base: str) -> bytes | None:
+    return _hex(text) if base == "unquoted" else string_bytes(text, base)
+
+
+def _character(letter: str, base: str) -> bytes | None:
+    return (
+        _hex(letter) if base != "decimal" and letter in "abcdefABCDEF" else letter.encode("latin-1", "ignore") or None
+    )
+
+
+def _bytes_of(text: str, base: str) -> bytes | None:
+    if _ONLY_DIGITS.fullmatch(text):
+        return _OF_DIGITS[base](text)
+    if base == "base64":
+        return _base64(text)
+    return next(make(found, base) for pattern, make in _WAYS if (found := pattern.fullmatch(text)))
+
+
+_of_long = lru_cache(64)(_bytes_of)
+
+
 def string_bytes(body: str, base: str) -> bytes | None:
     r"""Returns the bytes of what is between two quotes; in the base "decimal", `\128` is one byte, as in Lua."""
     known = _CHARACTERS["decimal" if base == "decimal" else "hex"]
     try:
-        return (
-            None if MISSPELT.search(body) else known.escapes.sub(lambda found: known[found[0]], body).encode("latin-1")
-        )
+        return None if MISSPELT.search(body) else known.escapes.sub(lambda one: known[one[0]], body).encode("latin-1")
     except UnicodeEncodeError:
         return None
 
@@ -433,24 +425,52 @@ class _Characters(dict[str, str]):
 
 _CHARACTERS = {"hex": _Characters(8, "[0-3]?[0-7]{1,2}"), "decimal": _Characters(10, r"\d{1,3}")}
 
+_MACRO_CALL = re.compile(r"(?:\w+\.)?(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
+
+
+_NAME = re.compile(
+    r"(?P<owner>(?:\w+(?:\.|::))*)(?P<name>[A-Za-z]\w+?)(?:\.(?:\w+\(\)|rawValue|value|code|byte)|\sas\s\w+)?"
+)
+"""A name of another program, of an enumeration perhaps: `Op.OutputSpeed`, `Op::OutputSpeed as u8`, `X.opY.toByte()`."""
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"^op(?=[A-Z])|_", "", name).upper()
+
 
 @cache
-def _constants() -> dict[str, bytes]:
-    """Returns the bytes of the names of LEGO's headers."""
-    found = {f"op{opcode.name}": bytes((opcode.number,)) for opcode in OPCODES}
+def _constants() -> tuple[dict[str, bytes], dict[str, bytes]]:
+    """Returns the bytes of the names of LEGO's headers, and those of all names in any spelling."""
+    found = {}
     for name in names.constant_names():
         value = names.constant(name)
         if isinstance(value, bytes) or (isinstance(value, int) and 0 <= value <= 255):
             found[name] = value if isinstance(value, bytes) else bytes((value,))
-    return found | {name: bytes((member,)) for name, member in MessageType.__members__.items()}
+    types = {name: bytes((member,)) for name, member in MessageType.__members__.items()}
+    # `CommandType.DirectReply` is a command, `ReplyType.DirectReply` a reply.
+    commands = {name.replace("_COMMAND", ""): types[name] for name in types if "_COMMAND" in name}
+    found |= {f"op{one.name}": bytes((one.number,)) for one in OPCODES} | types
+    plain = {_plain(name): data for name, data in (commands | found).items()}
+    return found, plain | {f"COMMAND{_plain(name)}": data for name, data in commands.items()}
+
+
+def known_name(text: str) -> bytes | None:
+    """Returns the byte of an operation, a CMD, a type of a frame, a constant, however a program writes its name."""
+    name = _NAME.fullmatch(text.strip())
+    if name is None or not (name["owner"][:1].isupper() or "_" in name["name"] or name["name"].startswith("op")):
+        return None
+    plain = _constants()[1]
+    return (plain.get(f"COMMAND{_plain(name['name'])}") if "ommand" in name["owner"] else None) or plain.get(
+        _plain(name["name"])
+    )
 
 
 def _of_name(text: str) -> bytes | None:
     """Returns the bytes of a name of LEGO's headers, or of one of their macros."""
-    text = text.rpartition(".")[2] if text[:1].islower() and not text.startswith("op") and "(" not in text else text
-    call = _CALL.fullmatch(text.partition(".")[2] if re.match(r"\w+\.\w+\s?\(", text) else text)
+    call = _MACRO_CALL.fullmatch(text)
     if call is None:
-        return _constants().get(text)
+        name = text.rpartition(".")[2]
+        return _constants()[0].get(name) or (known_name(name) if name.startswith("op") else None)
     macro, value = call.groups()
     try:
         if macro == "LCS":
@@ -463,7 +483,7 @@ def _of_name(text: str) -> bytes | None:
 
 def _number(text: str) -> int:
     """Returns the number in a macro, which may have a name; that of a constant is encoded already."""
-    data = _constants().get(text)
+    data = _constants()[0].get(text)
     if data is None:
         return int(text, 0)
     number = int.from_bytes(data[1:] or bytes((data[0] << 2 & 0xFF,)), "little", signed=True)
@@ -471,4 +491,4 @@ def _number(text: str) -> int:
 
 
 BYTES = {base: _Table(base) for base in BASES}
-"""The bytes of values, by base."""
+"""The bytes of elements, by base."""

@@ -1,0 +1,183 @@
+"""What happened to a frame on its way into a text: each row of `REPAIRS` undoes one thing; a flawless frame proves it.
+
+A repair gives candidates for a line. The protocol judges: a candidate counts only if all of it is a flawless frame, and
+of several the one with the fewest findings wins. A new mishap is a row with its example.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from itertools import islice
+from typing import NamedTuple
+
+from ev3proto.schema.frame import is_flawless
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, frame_size
+from ev3proto.semantics.likelihood import FAULT, CommandCode
+from ev3proto.tables.frame import MESSAGE_TYPES, MessageType
+from ev3proto.text.paste.heads import is_head
+from ev3proto.text.paste.judge import Reading, best
+from ev3proto.text.paste.pieces import MAX_TEXT, SlipPlace, short
+from ev3proto.text.paste.runs import Row
+
+_MOST_TRIED = 500
+"""Candidates of a line: frames of 60 bytes have no more of one digit, and each costs a parse."""
+_LONGEST = 4096
+_DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
+_HEX_WORD = re.compile(r"(?<!\w)(?:0[xX])?([0-9a-fA-F]{9,})(?!\w)")
+_WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
+LOOKALIKES = str.maketrans("OolIiАВСЕасеОоХхΑΒΕΟΧ", "00111ABCEace00XxABE0X")
+"""Letters that are read for digits in scanned pictures, or were typed on a Russian or Greek keyboard."""
+_MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{''.join(map(chr, LOOKALIKES))}]+(?![^\W_])")
+_DIGIT = re.compile(r"[0-9\uff10-\uff19]{2}")
+_SUSPECT = re.compile(r"\\[0-9A-F]{2}|(?<!\w)(?:0[xX])?[0-9a-fA-F]{9}")
+_LABVIEW = {"n": "0A", "r": "0D", "t": "09", "b": "08", "f": "0C", "s": "20", "\\": "5C"}
+
+
+class Repair(NamedTuple):
+    """What may have happened: an example, the candidates of a line, what to say; {} is the candidate."""
+
+    example: str
+    candidates: Callable[[str], Iterator[str]]
+    says: str
+    is_read: bool = True
+
+
+class Repaired(NamedTuple):
+    """The frame in a line after a repair."""
+
+    reading: Reading
+    text: str
+    says: str
+    is_read: bool
+    slip: SlipPlace | None
+
+
+def _wide(line: str) -> Iterator[str]:
+    yield line.translate(_WIDE)
+
+
+def _lookalikes(line: str) -> Iterator[str]:
+    yield _MISREAD.sub(lambda found: found[0].translate(LOOKALIKES), line)
+
+
+def _signed(line: str) -> Iterator[str]:
+    yield _HEX_WORD.sub(lambda found: re.sub("ffffff(?=[89a-f])|FFFFFF(?=[89A-F])", "", found[0]), line)
+
+
+def _labview(line: str) -> Iterator[str]:
+    found = re.search(r"\\[0-9A-F]{2}.*", line)
+    if found is not None:
+        quote = line[: found.start()][-1:]
+        text = found[0].partition(quote)[0] if quote in ("'", '"') else found[0]
+        codes = re.compile(r"\\([0-9A-F]{2}|[nrtbfs\\])")
+        body = codes.sub(lambda one: rf"\x{_LABVIEW.get(one[1], one[1])}", text)
+        yield f'{line[: found.start()]}"{body}"'
+
+
+def _lost_zero(line: str) -> Iterator[str]:
+    for word in _HEX_WORD.finditer(line):
+        if len(word[1]) % 2:
+            yield word[1] + "0"  # the last digit was cut off, as likely as any other
+            yield from (word[1][:at] + "0" + word[1][at:] for at in range(0, len(word[1]), 2))
+
+
+def _unpadded(line: str) -> Iterator[str]:
+    word = _HEX_WORD.search(line)
+    if word is not None and not line[word.end() :].strip() and is_head(line[: word.start()]):
+        yield from islice(_parted(word[1], (int(word[1][0], 16), int(word[1][:2], 16))), _MOST_TRIED)
+
+
+def _parted(digits: str, lengths: tuple[int, int]) -> Iterator[str]:
+    """Yields hex digits as bytes without their leading zeros, as many as the first one says."""
+    for width, length in enumerate(lengths, 1):
+        yield from _rest(digits[width:], digits[:width].zfill(2), length + 1)
+
+
+def _rest(digits: str, done: str, count: int) -> Iterator[str]:
+    if not count <= len(digits) <= 2 * count:
+        return
+    if not digits:
+        yield done
+        return
+    for width in (1,) if digits[0] == "0" else (2, 1):
+        byte = digits[:width].zfill(2)
+        is_length, is_type = len(done) == 2, len(done) == 8
+        if (byte < "04" or not is_length) and (int(byte, 16) in MESSAGE_TYPES or not is_type):
+            yield from _rest(digits[width:], done + byte, count - 1)
+
+
+REPAIRS = (
+    Repair("\uff10\uff26\u3000\uff10\uff10", _wide, "its letters are as wide as an ideograph (full-width)"),
+    Repair("O6 00 2a 00 8O 00 00 01", _lookalikes, "{word!r} is not hex; did you mean {meant!r}?", is_read=False),
+    Repair("0d002a00ffffff80000001", _signed, "a byte above 7f is spread over 32 bits (ffffff80); print it & 0xff"),
+    Repair(r"\08\00*\00\80\00\00\A4", _labview, "these are '\\' codes of LabVIEW"),
+    Repair(
+        "F0000008000009401810282E80382E803",
+        _lost_zero,
+        "{quoted!r} has an odd number of hex digits ({count}); with a zero it is {}",
+        is_read=False,
+    ),
+    Repair(
+        "f000800094181282e8382e83",
+        _unpadded,
+        "the bytes lost their leading zeros (print with %02x): {}",
+        is_read=False,
+    ),
+)
+
+
+def may_be_mended(line: str) -> bool:
+    """Returns whether a line that was read may mean something else: it has LabVIEW's codes, or one word of digits."""
+    return _SUSPECT.search(line) is not None
+
+
+def repaired(row: Row) -> Repaired | None:
+    """Returns the frame that a line has after one repair; None if none makes it one."""
+    line = row.line
+    if len(line) > _LONGEST or not _DIGIT.search(line):
+        return None
+    for repair in REPAIRS:
+        tried = dict.fromkeys(islice(repair.candidates(line), _MOST_TRIED))
+        found = [(text, reading) for text in tried if text != line and (reading := _flawless(text, row.number))]
+        if found:
+            text, reading = min(found, key=lambda one: _oddness(_frame(one[1]))) if len(found) > 1 else found[0]
+            if text[:-1] in line:
+                return None  # what was cut is not known
+            return _told(repair, line, text, reading, row.number)
+    return None
+
+
+def _oddness(frame: bytes) -> tuple[int, float]:
+    """Returns how unlikely a frame is: of two that fit, the ordinary one was meant, with a small counter."""
+    is_direct = frame[4] in _DIRECT and len(frame) > COMMAND_HEADER_SIZE
+    cost = CommandCode(frame, "official").rest() if is_direct else FAULT
+    return (frame[3] > 0) + (frame[4] not in MESSAGE_TYPES), cost
+
+
+def _frame(reading: Reading) -> bytes:
+    part, frames = reading.parts[0]
+    return part.data[frames[0].start : frames[0].end]
+
+
+def _flawless(text: str, number: int) -> Reading | None:
+    is_word = _HEX_WORD.fullmatch(text) is not None
+    if is_word and (len(text) % 2 or frame_size(bytes.fromhex(text[:4])) * 2 != len(text)):
+        return None
+    reading = best(Row(text, number).of_line())
+    return reading if reading is not None and reading.worth.is_whole and is_flawless(_frame(reading)) else None
+
+
+def _told(repair: Repair, line: str, text: str, reading: Reading, number: int) -> Repaired:
+    column = next((at for at, (old, new) in enumerate(zip(line, text, strict=False)) if old != new), 0)
+    says, slip = repair.says, None
+    if "{quoted" in says:
+        odd = next(one[1] for one in _HEX_WORD.finditer(line) if len(one[1]) % 2)
+        says = says.replace("{}", "{{}}").format(quoted=short(odd), count=len(odd))
+    if "{word" in says:
+        word = next(one for one in _MISREAD.finditer(line) if one.end() > column)
+        says = says.format(word=short(word[0]), meant=short(word[0].translate(LOOKALIKES)))
+        slip = SlipPlace(number, word.start() + 1)
+        says = f"column {slip.column}: {says}"
+    says = says.replace("{}", short(_frame(reading).hex(" ").upper(), MAX_TEXT))
+    return Repaired(reading, text, says, repair.is_read, slip)

@@ -173,7 +173,7 @@ local OPERATIONS = {
     { 0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
     { 0x07, "OBJECT_WAIT", "Waits until an object has ended", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
     { 0x08, "RETURN", "Returns from a subroutine to its caller", [[]] },
-    { 0x09, "CALL", "Calls a subroutine of its own program; waits while another thread runs it", [[ { "OBJID", IN, DATA16, "object number of the subroutine, counted from 1" }, { "PARAMETERS", IN, COUNT, "number of parameters follow; the subroutine declares their types and directions", element = DATA32, elements = IN } ]] },
+    { 0x09, "CALL", "Calls a subroutine of its own program; waits while another thread runs it", [[ { "OBJID", IN, DATA16, "object number of the subroutine, counted from 1" }, { "PARAMETERS", IN, COUNT, "number of parameters follow; the subroutine declares their types and directions", any = true, element = DATA32, elements = IN } ]] },
     { 0x0A, "OBJECT_END", "Ends the object; the firmware appends one to every direct command", [[]] },
     { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice", [[]] },
     { 0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects", commands = {
@@ -1665,6 +1665,13 @@ do
         end
     end
 
+    -- Returns a number as `ev3proto check` writes it: a float with its decimals.
+    local function spelled(parameter, encoding, value)
+        if value ~= value then return "nan" end
+        local text = phrases.number_text(value)
+        return parameter.is_float and encoding.is_long and not find(text, "[^%d-]") and text .. ".0" or text
+    end
+
     -- Returns what `ev3proto check` says of a constant, and its code; nil if it says nothing.
     function phrases.misuse(parameter, encoding, value, owner, byte_code)
         local wrong, read = phrases.judge(parameter, encoding, value)
@@ -1675,7 +1682,7 @@ do
         local limits, accepted, size = parameter.limits, parameter.accepted, type(value) == "string" and #value or 0
         local parts = {
             name = parameter.name, owner = owner, kind = TYPE_NAMES[parameter.type], ports = PORT_SETS[value],
-            value = type(value) == "number" and (value ~= value and "nan" or format("%.14g", value)),
+            value = type(value) == "number" and spelled(parameter, encoding, value),
             read = read and format("%d", read), aside = read and format("; the brick reads it as %d", read) or "",
             type = limits and "a " .. limits.text, accepted = accepted and accepted.named,
             outside = parameter.outside and parameter.outside[1], byte = format("0x%02X", byte_code),
@@ -4372,4 +4379,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 294b5724da2b4ca5
+-- Checksum of the lines above, by which a changed file is recognised: 5a114ba0290cde11

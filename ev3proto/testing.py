@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache
+from functools import cache, partial
 from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.checking.checking import check
@@ -725,7 +725,10 @@ def _accepted_values(parameter: Parameter) -> SearchStrategy[Any]:
     domain = domain_of(parameter)
     if domain is None:
         return _constants(parameter) | variables
-    constants: list[SearchStrategy[Any]] = [st.integers(low, high) for low, high in domain.spans]
+    drawn: Callable[..., SearchStrategy[Any]] = st.integers
+    if parameter.type is Type.DATAF:
+        drawn = partial(st.floats, width=32)
+    constants = [drawn(low, high) for low, high in domain.spans]
     if domain.singles:
         constants.append(st.sampled_from(sorted(domain.singles)))
     if parameter.length is not None:

@@ -16,6 +16,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.schema.instructions import OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
+from ev3proto.semantics.judgement import judge
 from ev3proto.semantics.likelihood import CommandCode, Reading
 from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
@@ -173,10 +174,7 @@ class _Place(NamedTuple):
 
     def number(self, number: int) -> bytes:
         """Returns a number as an argument, empty if it is not legal here."""
-        domain, limits = self.known.domain, self.known.limits
-        if domain is not None:
-            return encode_integer(number) if domain.covers(number) else b""
-        return encode_integer(number) if limits is None or limits.low <= number <= limits.high else b""
+        return encode_integer(number) if judge(self.known, CONSTANT, number) is None else b""
 
 
 def _numbers(place: _Place) -> Iterator[Edit]:
@@ -324,7 +322,7 @@ def _filler(known: ParameterFacts, code: CommandCode, before: list[Argument]) ->
     if parameter.role is Role.MOTORS or parameter.counts:
         return b"\1"
     low = domain.spans[0][0] if domain is not None and domain.spans else 0
-    return encode_integer(next((one for one in (0, 1, low) if domain is None or domain.covers(one)), 0))
+    return encode_integer(next((one for one in (0, 1, low) if judge(known, CONSTANT, one) is None), 0))
 
 
 def _free_variable(known: ParameterFacts, code: CommandCode, before: list[Argument]) -> bytes:

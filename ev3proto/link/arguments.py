@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 from ev3proto.link.known import NOTHING, Known
 from ev3proto.messages import Argument, DirectCommand, Operation
-from ev3proto.semantics.domain import domain_of
-from ev3proto.semantics.facts import UNTYPED_SIZE
+from ev3proto.semantics.facts import UNTYPED_SIZE, facts_of
 from ev3proto.semantics.footprint import Footprint, footprints, whole_number
+from ev3proto.semantics.judgement import judge
 from ev3proto.tables.declaration import Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, JUMP, LOCAL, TEXT, limits_of
 from ev3proto.tables.enumerations import TYPE
@@ -245,8 +245,8 @@ def port_of(operation: Operation) -> tuple[int, int] | None:
 
 
 def _is_legal_constant(use: Use) -> bool:
-    domain = domain_of(use.parameter)
-    return use.argument.kind == CONSTANT and (domain is None or domain.covers(float(use.argument.value)))
+    argument = use.argument
+    return argument.kind == CONSTANT and judge(facts_of(use.parameter), CONSTANT, argument.value) is None
 
 
 def _is_number(use: Use) -> bool:

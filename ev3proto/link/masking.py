@@ -24,8 +24,9 @@ from ev3proto.messages import (
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
-from ev3proto.semantics.domain import domain_of
+from ev3proto.semantics.facts import facts_of
 from ev3proto.semantics.footprint import whole_number
+from ev3proto.semantics.judgement import judge
 from ev3proto.semantics.replies import values_of
 from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
 from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
@@ -131,13 +132,13 @@ def _has_room(parameter: Parameter, operation: Operation, row: Public) -> bool:
 
 
 def _is_public_number(argument: Argument, row: Public) -> bool:
-    domain, number = domain_of(argument.parameter), whole_number(argument)
+    number, known = whole_number(argument), facts_of(argument.parameter)
     if argument.name in row.only:
         return number in row.only[argument.name]
     if argument.form.kind == CONSTANT:
-        return domain is None or number is None or domain.covers(number)
+        return number is None or judge(known, CONSTANT, number) is None
     # A variable that the brick reads may hold a part of a text, unless there are only a few documented values.
-    return domain is not None and domain.is_documented
+    return known.domain is not None
 
 
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:

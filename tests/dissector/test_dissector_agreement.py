@@ -402,33 +402,6 @@ def test_boundaries(tshark: Tshark, dialect: str) -> None:
         agree(tshark, dialect, [case.frame for case in cases])
 
 
-OF_VALUES = {
-    *("E204", "E206", "E301", "E302", "E303", "E304", "E305", "E307", "E502"),
-    *("W301", "W302", "W303", "W304", "W305"),
-}
-"""The checker's codes for constants that the brick refuses, reads otherwise, or knows no meaning of."""
-
-
-def is_of_value(finding: ev3proto.Finding) -> bool:
-    """Whether the dissector marks what a finding is about; also a set of no motors."""
-    return finding.code in OF_VALUES or (finding.code == "H702" and "without a port" in finding.message)
-
-
-def test_boundaries_that_the_brick_reads_otherwise(tshark: Tshark) -> None:
-    """The dissector marks what the checker finds, which `tests/schema/test_boundaries.py` holds to the tables."""
-    cases = [case for case in boundaries() if case.legal is not None and case.raw is not None]
-    cases = [case for case in cases if case.dialect == "official"]
-    capture = tshark.place(tcp_capture([Segment(True, TONE), *(Segment(True, case.frame) for case in cases)]), "b.pcap")
-    marked = "ev3.expert.misread || ev3.expert.refused"
-    numbers = set(tshark.matches(capture, [marked])[marked])
-    wrong = []
-    for number, case in enumerate(cases, 2):
-        expected = any(map(is_of_value, ev3proto.check(case.frame, alone=True).findings))
-        if (number in numbers) is not expected:
-            wrong.append(f"{case.name}: {'' if number in numbers else 'not '}marked")
-    assert not wrong, "; ".join(wrong)
-
-
 @pytest.mark.parametrize("dialect", DIALECTS)
 def test_drawn_frames(tshark: Tshark, dialect: str) -> None:
     agree(tshark, dialect, drawn(frames(dialect), DRAWN[dialect]))

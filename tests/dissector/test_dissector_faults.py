@@ -36,9 +36,6 @@ from support.wireshark import Tshark
 
 import ev3proto
 from ev3proto import GV
-from ev3proto.schema.argument import encode_integer
-from ev3proto.schema.header import write_memory
-from ev3proto.tables import operations as declared_operations
 from ev3proto.tables.discovery import ACCEPT
 from ev3proto.testing import daisy_messages, frames
 
@@ -828,39 +825,6 @@ def test_the_reply_to_a_refused_command_has_its_reason(tshark: Tshark) -> None:
         "the brick refused the command or failed to execute it; in the command, at offset 9: VALUE: the index of a"
         " DATAF must be a multiple of 4, the brick refuses GV(1)"
     )
-
-
-CONSTANTS = (0, 1, 8, 16, 100, -100, 127, -128, 200, 300, 32768, -32768, 70000, -(2**31), 2**31 - 1)
-
-
-def test_constants_are_judged_as_by_check(tshark: Tshark) -> None:
-    """Every operation without a list, with some numbers, texts, floats and variables as its arguments."""
-    rng = random.Random(1)
-    others = (b"\x60", b"\x44", b"\x84abc\0", bytes.fromhex("83 0000C07F"), bytes.fromhex("83 0000803F"), b"\x91\x05")
-    frames = []
-    for declaration in [each for each in declared_operations().values() if each.tail is None] * 2:
-        cmd = b"" if declaration.command is None else encode_integer(declaration.command.number)
-        arguments = [
-            rng.choice(others) if rng.random() < 0.3 else encode_integer(rng.choice(CONSTANTS))
-            for _ in declaration.fixed
-        ]
-        body = bytes((declaration.opcode.number,)) + cmd + b"".join(arguments)
-        frame = with_length(b"\0\0\x2a\0\0" + write_memory(40, 60) + body)
-        if ev3proto.parse(frame, strict=False).fault is None:
-            frames.append(frame)
-    capture = Capture(RAW_IP)
-    connection = Connection(capture)
-    connection.send(UNLOCK)
-    for frame in frames:
-        connection.send(frame)
-    path = tshark.place(capture.data(), "constants.pcap")
-    fields = ("-e", "_ws.expert.message", "-E", "aggregator=~")
-    shown = tshark.run(path, "-Y", "ev3.msg_num", "-T", "fields", *fields).splitlines()
-    codes = ("E204", "E301", "E302", "E303", "E304", "E305", "W301", "W302", "W303", "W304")
-    for frame, line in zip(frames, shown, strict=True):
-        told = sorted(text for text in line.split("~") if text.endswith(tuple(f"({code})" for code in codes)))
-        found = [each for each in ev3proto.check(frame).findings if each.code in codes]
-        assert told == sorted(f"{each.message} ({each.code})" for each in found), frame.hex(" ")
 
 
 def test_nan_has_one_form(tshark: Tshark) -> None:

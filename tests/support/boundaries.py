@@ -132,7 +132,7 @@ def _usual(parameter: Parameter, place: int) -> Any:
     return 1 if parameter.range is None else max(parameter.range[0], min(1, parameter.range[1]))
 
 
-def _key(entry: Declaration, position: int) -> tuple[Any, ...]:
+def kind_of(entry: Declaration, position: int) -> tuple[Any, ...]:
     """Returns what makes a parameter a case of its own."""
     parameter = entry.parameters[position]
     is_first = position == 0 and entry.command is None
@@ -151,7 +151,7 @@ def boundaries() -> tuple[Boundary, ...]:
         for entry in operations(dialect).values():
             values = tuple(_usual(parameter, 4 * index) for index, parameter in enumerate(entry.parameters))
             for index, parameter in enumerate(entry.parameters):
-                key = _key(entry, index)
+                key = kind_of(entry, index)
                 is_counter = entry.tail is not None and parameter is entry.tail.counter and not parameter.counts
                 if key in seen or is_counter:
                     continue

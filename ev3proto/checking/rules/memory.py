@@ -13,7 +13,8 @@ from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY
 from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed, unread
-from ev3proto.tables.encoding import GLOBAL, LOCAL, Encoding
+from ev3proto.semantics.judgement import judge
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 
 _LARGEST = 4
@@ -52,7 +53,7 @@ def _unwritten(used: list[Use], asked: int) -> Iterator[Finding]:
     for operation, place in used:
         parameter = place.argument.parameter
         domain = place.facts.domain
-        is_legal = parameter.most is None if domain is None else domain.covers(0)
+        is_legal = parameter.most is None if domain is None else judge(place.facts, CONSTANT, 0) is None
         is_beyond = place.end > asked or not place.size
         if is_legal or is_beyond or place.facts.is_written or written.has_some_of(place.start, place.end):
             continue

@@ -261,6 +261,7 @@ def _numbers(parameter: Parameter) -> dict[Any, object]:
         if is_checked
         else None,
         "unsigned": parameter.unsigned or None,
+        "any": parameter.any_type or None,
         "is_label": True if parameter.role is Role.LABEL else None,
     }
 

@@ -43,6 +43,7 @@ _OUTSIDE = ("direction", "time", "values", "fault", "cut", "length")
 """Keys that describe more than the bytes, or follow from them."""
 
 _FLOATS = ("nan", "inf", "-inf")
+_OF_FLOATS = "LC4"
 _ELEMENT = ArgumentSchema(Parameter("an element", Type.ARRAY_TYPED, "an element of a list"))
 _UNKNOWN = Message().kind
 _SPEAKERS = ("command", "reply")
@@ -309,7 +310,9 @@ def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
         raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}, which is not a {kind}")
     if kind == CONSTANT and value in _FLOATS:
         value = float(value)
-    if isinstance(value, float) or (schema.parameter.type is Type.DATAF and kind == CONSTANT):
+    # A float is four bytes, and other programs write 1 for 1.0.
+    is_float = schema.parameter.type is Type.DATAF and kind == CONSTANT and encoding == _OF_FLOATS
+    if isinstance(value, float) or is_float:
         encoded = encode_float(float(value), schema.parameter.name)
     else:
         encoded = encode_as(encoding, value)

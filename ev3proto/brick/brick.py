@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ev3proto.brick.clock import (
     MOST_OPERATIONS,
@@ -57,7 +57,7 @@ from ev3proto.schema.header import (
     read_memory,
 )
 from ev3proto.tables import check_dialect, operations
-from ev3proto.tables.devices import NO_DEVICE
+from ev3proto.tables.devices import NO_DEVICE, DeviceType
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SystemStatus
 
@@ -147,7 +147,7 @@ class Brick:
     def plug(
         self,
         port: int | str,
-        type: int,
+        type: int | Mapping[str, Any] | DeviceType,
         readings: Mapping[int, Sequence[float]] | None = None,
         *,
         tacho: int | None = None,
@@ -158,7 +158,8 @@ class Brick:
 
         Args:
             port: 1 to 4 or a SensorPort for sensors, "A" to "D" or a MotorPort for motors.
-            type: Type of the device; TYPE_NONE unplugs it.
+            type: Type of the device; TYPE_NONE unplugs it. Or a sensor of one's own, as `ev3proto.brick.declared` says:
+                `{"type": 60, "modes": [{"name": "COMPASS", "format": "DATA_16", "raw": (0, 359)}]}`.
             readings: Raw readings of a sensor by mode, one for each dataset.
             tacho: Degrees that OUTPUT_READ returns. `tacho`, `count` and `speed` are shown until a command moves the
                 motor; it counts on from `count`, and a move begins at 0.
@@ -166,15 +167,19 @@ class Brick:
             speed: Percent.
 
         Raises:
-            ValueError: Unknown port, mode unknown to the type, or readings that are not numbers by mode.
+            ValueError: Unknown port, mode unknown to the type, readings that are not numbers by mode, or a key of a
+                declaration that is missing, unknown or wrong.
         """
-        port = port_name(port)
-        if self._has_core_set and self.equipment.inputs.has_new(port, type):
+        port, inputs = port_name(port), self.equipment.inputs
+        found = inputs.device_type(port, type)
+        if self._has_core_set and inputs.has_new(port, found):
             self._unplug_all()
-        self.equipment.inputs.plug(port, type, readings)
+        inputs.plug(port, found, readings)
         if isinstance(port, str):
             is_fixed = any(value is not None for value in (tacho, speed, count))
-            self.equipment.outputs.plug(port, type, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None)
+            self.equipment.outputs.plug(
+                port, found.number, Reading(tacho or 0, speed or 0, count or 0) if is_fixed else None
+            )
 
     def plug_core_set(self) -> None:
         """Plugs in the equipment of LEGO's core set; a device that is plugged in afterwards replaces all of it."""

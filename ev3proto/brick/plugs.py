@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from ev3proto.tables.devices import DeviceType
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.ports import MotorPort, MotorPorts, SensorPort
 
@@ -16,10 +17,10 @@ Readings = dict[int, tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Plug:
-    """A device on a port, and its raw readings by mode."""
+    """A device on a port, by its number or declared, and its raw readings by mode."""
 
     port: int | str
-    type: int
+    type: int | DeviceType
     readings: Readings = field(default_factory=dict)
 
 

@@ -13,13 +13,14 @@ from typing import NoReturn
 
 import click
 
+from ev3proto.brick.declared import DeclarationError
 from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.dispatch import coverage as covered_operations
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.reporting import Reporter
-from ev3proto.brick.servers.script import Script, ScriptError, read_script
+from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options, running
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options
@@ -263,7 +264,7 @@ def read_script_file(path: Path | None) -> Script:
     try:
         with failing_to("read", path):
             return read_script(path)
-    except ScriptError as error:
+    except DeclarationError as error:
         raise Failure(f"{path}: {error}") from None
 
 

@@ -29,7 +29,7 @@ class Dataset(NamedTuple):
         return f"{self.name}, in {self.unit}" if self.unit else self.name
 
 
-_PERCENT = Range(0, 100)
+PERCENT = Range(0, 100)
 
 UNITS = {
     "pct": "%",
@@ -72,7 +72,7 @@ class Mode:
     raw: Range
     si: Range
     symbol: str = ""
-    percent: Range = _PERCENT
+    percent: Range = PERCENT
     values: tuple[Dataset, ...] = ()
 
     @property
@@ -117,6 +117,11 @@ class DeviceType:
         """Whether it is a motor."""
         return self.connection == CONN.members["CONN_OUTPUT_TACHO"]
 
+    @property
+    def is_output(self) -> bool:
+        """Whether it is for a motor port."""
+        return self.is_motor or self.connection == CONN.members["CONN_OUTPUT_DUMB"]
+
 
 _BITS8, _BITS16, _BITS32 = (DATA_FORMAT.members[name] for name in ("DATA_8", "DATA_16", "DATA_32"))
 _INVERSE_TOUCH = Range(2000, 1000)
@@ -132,7 +137,7 @@ def _mode(
     *values: str | Dataset,
     si: tuple[float, float] | None = None,
     datasets: int = 1,
-    percent: Range = _PERCENT,
+    percent: Range = PERCENT,
 ) -> Mode:
     """Builds a mode.
 

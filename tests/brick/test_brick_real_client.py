@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
+import ev3_dc
 import pytest
 from support import tour
 from support.server import Served
+
+from ev3proto.brick.servers.script import read_script
+
+OWN_SENSORS = Path(__file__).parents[2] / "docs" / "howto" / "own-sensors.toml"
 
 Talking = tuple[Served, Any]
 
@@ -44,6 +51,20 @@ def test_sensors(talking: Talking) -> None:
         (100, 200, 300),
         0.55,
     ]
+
+
+def test_sensors_that_a_script_declares(talking: Talking) -> None:
+    """The compass of the example, on port 4."""
+    brick, client = talking
+    (compass,) = (plug for plug in read_script(OWN_SENSORS).plugs if plug.port == 3)
+    brick.now.brick.plug(4, compass.type, compass.readings)
+    try:
+        heading = [ev3_dc.opInput_Device, ev3_dc.READY_SI, b"\0\3", ev3_dc.LCX(62), b"\0\1", ev3_dc.GVX(0)]
+        assert struct.unpack("<f", client.send_direct_cmd(b"".join(heading), global_mem=4)) == (90,)
+        name = [ev3_dc.opInput_Device, ev3_dc.GET_NAME, b"\0\3\x0c", ev3_dc.GVX(0)]
+        assert client.send_direct_cmd(b"".join(name), global_mem=12) == b"HEADING    \0"
+    finally:
+        brick.now.brick.plug(4, 126)
 
 
 def test_motor(talking: Talking) -> None:

@@ -22,10 +22,11 @@ from support.effort import effort
 from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, download, frame, served, system, until, upload
 
 import ev3proto
+from ev3proto.brick.declared import DeclarationError
 from ev3proto.brick.servers import limits
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import ServerError
-from ev3proto.brick.servers.script import Script, ScriptError, read_script
+from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
 from ev3proto.schema.discovery import Beacon
@@ -707,7 +708,7 @@ def test_a_command_that_waits_for_a_missing_motor(tmp_path: Path) -> None:
 def test_script_that_says_something_impossible(tmp_path: Path, text: str, expected: str) -> None:
     path = tmp_path / "robot.toml"
     path.write_text(text)
-    with pytest.raises(ScriptError, match=re.escape(expected)):
+    with pytest.raises(DeclarationError, match=re.escape(expected)):
         read_script(path)
     done = run_ev3proto_text("brick", "--script", path)
     assert done.returncode == 1

@@ -10,8 +10,10 @@ import math
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from ev3proto.brick.conversions import single
+from ev3proto.brick.declared import declared_device, table
 from ev3proto.brick.devices.motors import Motor, Outputs
 from ev3proto.brick.parts import Part
 from ev3proto.brick.plugs import PORT_NAMES, port_name
@@ -171,6 +173,7 @@ class Inputs(Part):
     def __init__(self, outputs: Outputs) -> None:
         self._outputs = outputs
         self._devices = {number: Device() for number in (*range(PORTS), *range(FIRST_MOTOR, FIRST_MOTOR + PORTS))}
+        self._types = dict(DEVICE_TYPES)
         self._calibrations: dict[tuple[int, int], Calibration] = {}
         self._brought: set[int] = set()  # types of UART sensors that were plugged in: they bring what is known of them
         self._changed = dict.fromkeys(SLOT.members.values(), 0)
@@ -178,29 +181,40 @@ class Inputs(Part):
 
     # Plugging
 
-    def plug(self, port: int | str, type: int, readings: Mapping[int, Sequence[float]] | None = None) -> None:
-        """Plugs a device in, or gives it new readings by mode; TYPE_NONE unplugs it. Raises ValueError."""
+    def device_type(self, port: int | str, type: int | Mapping[str, Any] | DeviceType) -> DeviceType:
+        """Returns a type by its number, or one that is declared, as it is known from now on. Raises ValueError."""
+        if isinstance(type, int):
+            return self._types.get(type, _UNKNOWN)
+        found = type if isinstance(type, DeviceType) else declared_device("device", table("device", type), port)
+        self._types[found.number] = found
+        return found
+
+    @property
+    def declared(self) -> list[DeviceType]:
+        """The types that are not in the tables."""
+        return [found for number, found in self._types.items() if found is not DEVICE_TYPES.get(number)]
+
+    def plug(self, port: int | str, found: DeviceType, readings: Mapping[int, Sequence[float]] | None = None) -> None:
+        """Plugs a device in, or gives it new readings by mode; NO_DEVICE unplugs it. Raises ValueError."""
         if not _are_readings(readings or {}):
             raise ValueError(f"readings are numbers by mode, such as {{0: (1900,)}}, not {readings!r}")
         number = self._port(port)
         device = self._devices[number]
-        found = DEVICE_TYPES.get(type, _UNKNOWN)
         if found.connection == _UART:
-            self._brought.add(type)
+            self._brought.add(found.number)
         for mode in readings or {}:
             if not 0 <= mode < len(found.modes):
-                raise ValueError(f"type {type} has no mode {mode}; it must be 0 to {len(found.modes) - 1}")
-        if device.plugged is not found:
+                raise ValueError(f"type {found.number} has no mode {mode}; it must be 0 to {len(found.modes) - 1}")
+        if device.plugged != found:
             motor = self._outputs.motors[number - FIRST_MOTOR] if number >= FIRST_MOTOR else None
             device = Device(found, found, motor=motor)
             self._devices[number] = device
             self._count_change(found)
         device.set_readings(readings or {})
 
-    def has_new(self, port: int | str, type: int) -> bool:
+    def has_new(self, port: int | str, found: DeviceType) -> bool:
         """Returns whether a type is a device, and not the one that is plugged into a port. Raises ValueError."""
-        found = DEVICE_TYPES.get(type, _UNKNOWN)
-        return found is not NO_DEVICE and found is not self._devices[self._port(port)].plugged
+        return found is not NO_DEVICE and found != self._devices[self._port(port)].plugged
 
     def _count_change(self, type: DeviceType) -> None:
         """Counts a change of type or mode, for each slot to ask for."""
@@ -275,7 +289,7 @@ class Inputs(Part):
 
     def _known(self, number: int) -> DeviceType:
         """Returns a type that the firmware knows; that of a UART sensor only if one was plugged in."""
-        found = DEVICE_TYPES.get(number, _UNKNOWN)
+        found = self._types.get(number, _UNKNOWN)
         return _UNKNOWN if found.connection == _UART and number not in self._brought else found
 
     def raw(self, device: Device, dataset: int) -> float:
@@ -317,9 +331,9 @@ class Inputs(Part):
 
     def _calibration(self, type: int, mode: int) -> tuple[Calibration, Mode] | None:
         """Returns the calibration of a type's mode, and the mode; None for an unknown type or mode."""
-        if type not in DEVICE_TYPES or not 0 <= mode < len(DEVICE_TYPES[type].modes):
+        if type not in self._types or not 0 <= mode < len(self._types[type].modes):
             return None
-        return self._calibrations.setdefault((type, mode), Calibration()), DEVICE_TYPES[type].modes[mode]
+        return self._calibrations.setdefault((type, mode), Calibration()), self._types[type].modes[mode]
 
     def calibrate_both(self, type: int, mode: int, least: int, most: int) -> None:
         """Sets both ends of a raw range, without activating it."""

@@ -8,6 +8,10 @@ period = 4.0                # the steps begin again every 4 seconds
 type = "TYPE_TOUCH"         # a name or number of TYPE
 readings.0 = [0]            # raw readings by mode
 
+[ports.2]                   # a sensor of one's own: see ev3proto.brick.declared
+type = 60
+modes = [{ name = "COMPASS", format = "DATA_16", raw = [0, 359], symbol = "deg" }]
+
 [ports.B]
 type = "TYPE_TACHO"
 
@@ -23,7 +27,6 @@ release = "enter"
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -31,10 +34,11 @@ from pathlib import Path
 from typing import Any
 
 from ev3proto.brick.brick import Brick
+from ev3proto.brick.declared import DeclarationError, declared_device, known_keys, number, table
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.plugs import Plug, Readings, port_name
-from ev3proto.errors import near_misses
-from ev3proto.tables.devices import DEVICE_TYPES
+from ev3proto.errors import counted, near_misses
+from ev3proto.tables.devices import DEVICE_TYPES, DeviceType
 from ev3proto.tables.enumerations import TYPE
 
 MOST_SCRIPT = 1 << 20
@@ -44,10 +48,6 @@ LEAST_PERIOD = 0.01
 """Seconds."""
 
 _MOST_NAME = 12
-
-
-class ScriptError(ValueError):
-    """An invalid script; the text names the key."""
 
 
 @dataclass(frozen=True)
@@ -106,15 +106,15 @@ class Script:
 
 
 def read_script(path: Path) -> Script:
-    """Reads a script. Raises OSError, and ScriptError with the place and what is possible there."""
+    """Reads a script. Raises OSError, and DeclarationError with the place and what is possible there."""
     with path.open("rb") as stream:
         text = stream.read(MOST_SCRIPT + 1)
     if len(text) > MOST_SCRIPT:
-        raise ScriptError(f"it has more than {MOST_SCRIPT} bytes")
+        raise DeclarationError(f"it has more than {MOST_SCRIPT} bytes")
     try:
         found = tomllib.loads(text.decode())
     except (ValueError, RecursionError) as error:
-        raise ScriptError(f"invalid TOML: {error}") from None
+        raise DeclarationError(f"invalid TOML: {error}") from None
     return _Reading().script(found)
 
 
@@ -122,103 +122,89 @@ def read_script(path: Path) -> Script:
 class _Reading:
     """Parses a script; keeps the types of the ports, which determine the valid readings."""
 
-    types: dict[int | str, int] = field(default_factory=dict)
+    types: dict[int | str, DeviceType] = field(default_factory=dict)
 
     def script(self, found: dict[str, Any]) -> Script:
-        _known("the script", found, ("name", "voltage", "current", "period", "ports", "steps"))
+        known_keys("the script", found, ("name", "voltage", "current", "period", "ports", "steps"))
         name = found.get("name")
         if name is not None and not (isinstance(name, str) and 0 < len(name) <= _MOST_NAME and name.isprintable()):
-            raise ScriptError(f"name must be a text of 1 to {_MOST_NAME} characters")
-        plugs = tuple(self._plug(port, entry) for port, entry in _table("ports", found.get("ports", {})).items())
+            raise DeclarationError(f"name must be a text of 1 to {_MOST_NAME} characters")
+        plugs = tuple(self._plug(port, entry) for port, entry in table("ports", found.get("ports", {})).items())
         entries = found.get("steps", [])
         if not isinstance(entries, list):
-            raise ScriptError("steps must be a list of tables: [[steps]]")
-        steps = tuple(self._step(f"steps, the {number}.", entry) for number, entry in enumerate(entries, 1))
+            raise DeclarationError("steps must be a list of tables: [[steps]]")
+        steps = tuple(self._step(f"steps, the {count}.", entry) for count, entry in enumerate(entries, 1))
         period = _seconds("period", found["period"]) if "period" in found else None
         last = max((step.at for step in steps), default=0.0)
         if period is not None and period < max(last, LEAST_PERIOD):
-            raise ScriptError(f"period must be {max(last, LEAST_PERIOD):g} s at least, the time of the last step")
-        volt, ampere = (_number(key, found[key]) if key in found else None for key in ("voltage", "current"))
+            raise DeclarationError(f"period must be {max(last, LEAST_PERIOD):g} s at least, the time of the last step")
+        volt, ampere = (number(key, found[key]) if key in found else None for key in ("voltage", "current"))
         return Script(plugs, steps, period, name, volt, ampere)
 
     def _plug(self, name: str, found: Any) -> Plug:
         where = f"ports.{name}"
         port = _port(where, name)
-        entry = _table(where, found)
-        _known(where, entry, ("type", "readings"))
-        if "type" not in entry:
-            raise ScriptError(f"{where} needs a type, a name or number of TYPE")
-        self.types[port] = _type(f"{where}.type", entry["type"])
+        entry = table(where, found)
+        if "modes" in entry:
+            self.types[port] = declared_device(where, entry, port)
+        else:
+            known_keys(where, entry, ("type", "readings", "modes"), ("type",))
+            self.types[port] = _type(f"{where}.type", entry["type"])
         return Plug(port, self.types[port], self._readings(f"{where}.readings", port, entry.get("readings", {})))
 
     def _readings(self, where: str, port: int | str, found: Any) -> Readings:
-        modes = len(DEVICE_TYPES[self.types[port]].modes)
+        modes = self.types[port].modes
         readings: Readings = {}
-        for key, values in _table(where, found).items():
-            if not key.isascii() or not key.isdigit() or int(key) >= modes:
-                raise ScriptError(f"{where}.{key}: unknown mode; this type has modes 0 to {modes - 1}")
+        for key, values in table(where, found).items():
+            if not key.isascii() or not key.isdigit() or int(key) >= len(modes):
+                raise DeclarationError(f"{where}.{key}: unknown mode; this type has modes 0 to {len(modes) - 1}")
             listed = values if isinstance(values, list) else [values]
-            readings[int(key)] = tuple(_number(f"{where}.{key}", value) for value in listed)
+            if len(listed) > modes[int(key)].datasets:
+                most = counted(modes[int(key)].datasets, "value")
+                raise DeclarationError(f"{where}.{key} has {len(listed)} values; this mode has {most}")
+            readings[int(key)] = tuple(number(f"{where}.{key}", value) for value in listed)
         return readings
 
     def _step(self, where: str, found: Any) -> Step:
-        entry = _table(where, found)
-        _known(where, entry, ("at", "ports", "press", "release"))
+        entry = table(where, found)
+        known_keys(where, entry, ("at", "ports", "press", "release"))
         if "at" not in entry:
-            raise ScriptError(f"{where} needs its time: at = seconds")
+            raise DeclarationError(f"{where} needs its time: at = seconds")
         readings: dict[int | str, Readings] = {}
-        for name, values in _table(f"{where} ports", entry.get("ports", {})).items():
+        for name, values in table(f"{where} ports", entry.get("ports", {})).items():
             port = _port(f"{where} ports.{name}", name)
             if port not in self.types:
-                raise ScriptError(f"{where} ports.{name}: nothing is plugged in there; give [ports.{name}] a type")
+                raise DeclarationError(f"{where} ports.{name}: nothing is plugged in there; give [ports.{name}] a type")
             readings[port] = self._readings(f"{where} ports.{name}", port, values)
         press, release = (_button(f"{where} {key}", entry.get(key)) for key in ("press", "release"))
         return Step(_seconds(f"{where} at", entry["at"]), readings, press, release)
 
 
-def _known(where: str, entry: Mapping[str, Any], names: tuple[str, ...]) -> None:
-    for key in entry:
-        if key not in names:
-            raise ScriptError(f"{where}: unknown key {key!r}; expected one of {', '.join(names)}")
-
-
-def _table(where: str, value: Any) -> dict[str, Any]:
-    if not isinstance(value, dict):
-        raise ScriptError(f"{where} must be a table")
-    return value
-
-
-def _number(where: str, value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ScriptError(f"{where} must be a number")
-    return float(value)
-
-
 def _seconds(where: str, value: Any) -> float:
-    number = _number(where, value)
-    if number < 0:
-        raise ScriptError(f"{where} must be 0 seconds or more")
-    return number
+    seconds = number(where, value)
+    if seconds < 0:
+        raise DeclarationError(f"{where} must be 0 seconds or more")
+    return seconds
 
 
 def _port(where: str, name: str) -> int | str:
     try:
         return port_name(int(name) if name.isdecimal() else name)
     except ValueError as error:
-        raise ScriptError(f"{where}: {error}") from None
+        raise DeclarationError(f"{where}: {error}") from None
 
 
-def _type(where: str, value: Any) -> int:
-    number = TYPE.members.get(value) if isinstance(value, str) else value
-    if isinstance(number, bool) or not isinstance(number, int) or number not in DEVICE_TYPES:
-        names = [name for name, member in TYPE.members.items() if member in DEVICE_TYPES]
+def _type(where: str, value: Any) -> DeviceType:
+    kind = TYPE.members.get(value) if isinstance(value, str) else value
+    if isinstance(kind, bool) or not isinstance(kind, int) or kind not in DEVICE_TYPES:
+        names = [device.name for device in DEVICE_TYPES.values() if device.name in TYPE.members]
         meant = near_misses(value, names) if isinstance(value, str) else ""
-        hint = meant or f"; expected one of {', '.join(names)}, or its number"
-        raise ScriptError(f"{where}: unknown type {value!r}{hint}")
-    return number
+        hint = meant or f"; expected one of {', '.join(names)}, or its number; modes declare another one"
+        raise DeclarationError(f"{where}: unknown type {value!r}{hint}")
+    return DEVICE_TYPES[kind]
 
 
 def _button(where: str, value: Any) -> str | None:
     if value is not None and value not in BUTTONS:
-        raise ScriptError(f"{where}: unknown button {value!r}; expected one of {', '.join(BUTTONS)}")
+        raise DeclarationError(f"{where}: unknown button {value!r}; expected one of {', '.join(BUTTONS)}")
     return None if value is None else str(value)

@@ -28,9 +28,12 @@ _MOST_TALKS = 25
 """Dialogues that are decoded per update."""
 
 
+_OFFERED = {number: device for number, device in DEVICE_TYPES.items() if device.is_sold or device is NO_DEVICE}
+
+
 def _facts() -> dict[str, Any]:
     """Returns the constant part of the state: known devices, names of the light's patterns, deviations."""
-    types = [_type(device) for device in DEVICE_TYPES.values() if device.is_sold or device is NO_DEVICE]
+    types = [_type(device) for device in _OFFERED.values()]
     leds = {number: name for name, number in LEDPATTERN.members.items()}
     return {"types": types, "none": NO_DEVICE.number, "leds": leds, "deviations": DEVIATIONS}
 
@@ -80,6 +83,7 @@ def _state(brick: Brick) -> dict[str, Any]:
         "display": base64.b64encode(b"".join(brick.display.rows)).decode(),
         "light": brick.leds,
         "down": [name for name, number in BUTTONS.items() if brick.equipment.buttons.is_down(number)],
+        "others": _others(brick),
         "motors": _motors(brick),
         "waiting": brick.waits_for or _endless(brick),
         "sensors": _sensors(brick),
@@ -90,6 +94,14 @@ def _state(brick: Brick) -> dict[str, Any]:
         "program": program is not None and program.status == RUNNING,
         "battery": {"volt": round(battery.voltage, 2), "percent": battery.percent},
     }
+
+
+def _others(brick: Brick) -> list[dict[str, Any]]:
+    """Returns the types of devices that are declared, or on a port, and that are not among the facts."""
+    inputs = brick.equipment.inputs
+    found = {device.type.number: device.type for device in inputs.plugged().values()}
+    found |= {device.number: device for device in inputs.declared}
+    return [_type(device) for number, device in found.items() if device is not _OFFERED.get(number)]
 
 
 def _motors(brick: Brick) -> list[dict[str, Any]]:

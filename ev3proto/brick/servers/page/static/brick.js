@@ -144,10 +144,17 @@ export const showBrick = (place, send) => {
 
   // Motors and sensors
 
+  let types = [];
+  show.others = (others) => {
+    const numbers = others.map((type) => type.number);
+    types = [...facts.types.filter((type) => !numbers.includes(type.number)), ...others];
+    for (const shown of [...Object.values(motors), ...Object.values(sensors)]) shown.type = null;
+  };
+
   const chooser = (port, isMotor, chosen) => {
     const select = make("select");
     select.setAttribute("aria-label", `Port ${port}`);
-    for (const type of facts.types) {
+    for (const type of types) {
       if (type.motor !== isMotor && type.number !== facts.none) continue;
       const option = make("option", type.number === facts.none ? "(nothing)" : type.title);
       option.value = type.number;
@@ -195,7 +202,7 @@ export const showBrick = (place, send) => {
   const sensorBox = (sensor) => {
     const box = make("div", "", "sensor");
     const isThere = sensor.type !== facts.none;
-    const mode = isThere ? facts.types.find((type) => type.number === sensor.type)?.modes[sensor.mode] : undefined;
+    const mode = isThere ? types.find((type) => type.number === sensor.type)?.modes[sensor.mode] : undefined;
     const controls = [];
     const read = () => send({
       do: "read", port: sensor.port, mode: sensor.mode, values: controls.map((each) => each.value()),

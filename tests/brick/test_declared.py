@@ -146,7 +146,7 @@ def test_what_cannot_be_declared(declared: dict[str, Any], message: str) -> None
 
 
 def test_only_sensors_can_be_declared() -> None:
-    with pytest.raises(DeclarationError, match="device.modes: only sensors can be declared, on the ports 1 to 4"):
+    with pytest.raises(DeclarationError, match=r"device\.modes: only sensors can be declared, on the ports 1 to 4"):
         Brick().plug("A", OWN)
 
 

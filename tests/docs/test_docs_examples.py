@@ -112,7 +112,7 @@ def test_the_tests_with_the_virtual_brick_pass() -> None:
     names: dict[str, Any] = {}
     exec("\n".join(blocks(page, "python")), names)
     tests = [name for name in names if name.startswith("test_")]
-    assert len(tests) == 3
+    assert len(tests) == 4
     for name in tests:
         names[name]()
 

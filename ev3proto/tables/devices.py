@@ -151,9 +151,11 @@ def _mode(
 
 
 def _device(
-    type: str, title: str, connection: str, views: int, *modes: Mode, settling: int = 0, is_sold: bool = True
+    type: str | int, title: str, connection: str, views: int, *modes: Mode, settling: int = 0, is_sold: bool = True
 ) -> DeviceType:
-    return DeviceType(TYPE.members[type], title, CONN.members[connection], views, modes, settling, is_sold)
+    """Builds a type by its name in TYPE, or by its number if the firmware has no name for it."""
+    number = TYPE.members[type] if isinstance(type, str) else type
+    return DeviceType(number, title, CONN.members[connection], views, modes, settling, is_sold)
 
 
 def _unused(number: int, connection: str, *modes: Mode, title: str = "") -> DeviceType:

@@ -19,6 +19,7 @@ from ev3proto.tables.declaration import (
     Out,
     Role,
 )
+from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
 from ev3proto.tables.ports import MotorPort, SensorPort
 
@@ -31,7 +32,12 @@ NO = In(
     "NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS, role=Role.PORT
 )
 SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS, role=Role.PORT)
-TYPE_TO_SET = In("TYPE", DATA8, "type to set", enum=TYPE, special={0: "keep the type"})
+_NAMELESS = {
+    device.number: device.title
+    for device in DEVICE_TYPES.values()
+    if device.is_sold and TYPE.name_of(device.number) is None
+}
+TYPE_TO_SET = In("TYPE", DATA8, "type to set", enum=TYPE, special={0: "keep the type"} | _NAMELESS)
 MODE_TO_SET = In("MODE", DATA8, "mode to set", range=(0, 7), special={-1: "keep the mode"})
 CAL_TYPE = In("TYPE", DATA8, "type of device the calibration is for", enum=TYPE)
 CAL_MODE = In("MODE", DATA8, "mode the calibration is for", range=(0, 7))

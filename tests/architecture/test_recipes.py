@@ -54,6 +54,16 @@ ENTRIES = f"""
 TONE = bytes.fromhex("0f0000008000009401810282e80382e803")
 MARK = "@"
 
+DEVICE = """
+    _device(
+        40,
+        "weather station",
+        "CONN_NXT_IIC",
+        1,
+        _mode("WEATHER", _BITS16, "5.1", (0, 2000), "", Dataset("pressure", "hPa"), Dataset("humidity", "%")),
+    ),
+"""
+
 RULE = """
 
 LUCKY = _code(
@@ -119,6 +129,7 @@ RECIPES: dict[str, tuple[Change, ...]] = {
             'computes(\n    {\n        "TIMER_LAP": lambda vm, lap: 100 * lap,\n',
         ),
     ),
+    "A device": (Change("ev3proto/tables/devices.py", "\n_DEVICES = (\n", f"\n_DEVICES = ({DEVICE}"),),
     "A rule of the checker": (
         Change("ev3proto/checking/codes.py", "\n# 9: encodings\n", f"{RULE}\n# 9: encodings\n"),
         Change("ev3proto/checking/rules/header.py", "\n\ndef check_system(", f"{CHECKED}\n\ndef check_system("),
@@ -419,6 +430,59 @@ def test_a_statistic_is_in_both_outputs(copy: Path, capture: Path) -> None:
     assert "Lucky counters: 1\n" in _run(copy, "stats", str(capture))
     assert json.loads(_run(copy, "stats", "--json", str(capture)))["whole"]["lucky"] == 1
     assert '"lucky"' in (copy / "exports" / "ev3-output.schema.json").read_text()
+
+
+STATION = """
+import json
+from pathlib import Path
+from ev3proto import Dialogue, check, command, ops, parse
+from ev3proto.brick import Brick
+from ev3proto.brick.servers.page.state import Changes
+from ev3proto.brick.servers.page.watcher import Unshown
+from ev3proto.brick.servers.script import read_script
+
+script = Path("station.toml")
+script.write_text("[ports.3]\\ntype = 40\\nreadings.0 = [1013, 55]\\n")
+brick = Brick()
+read_script(script).set_up(brick)
+asked = command(ops.input_device.ready_si(0, 2, 40, 0, 2), ops.input_device.get_name(0, 2, 8))
+(reply,) = brick.receive(asked.build())
+dialogue = Dialogue()
+dialogue.feed(asked)
+values = dialogue.feed(parse(reply))
+facts = Changes(brick, Unshown(()), list).take()["facts"]
+print(json.dumps({
+    "values": [[value.value, value.quantity, value.unit] for value in values],
+    "findings": [str(finding) for finding in check(asked).findings],
+    "page": [type for type in facts["types"] if type["number"] == 40],
+}))
+"""
+
+
+def test_a_device_is_known_everywhere(copy: Path, tmp_path: Path) -> None:
+    known = json.loads(run_in(copy, "-c", STATION))
+    assert known["values"] == [[1013, "pressure", "hPa"], [55, "humidity", "%"], ["WEATHER", None, None]]
+    assert known["findings"] == []
+    (shown,) = known["page"]
+    assert (shown["title"], shown["modes"][0]["values"]) == (
+        "weather station",
+        [["pressure", "hPa"], ["humidity", "%"]],
+    )
+    assert "weather station, mode 0 of type 40" in _run(copy, "help", "WEATHER")
+    assert "type 40" in _run(copy, "ops", "weather", "station")
+    panel = (
+        "import sys; sys.path.append('docs/playground'); from bridge.real_brick import shown; print(shown(40, 0, 1013))"
+    )
+    assert run_in(copy, "-c", panel) == "('weather station', '1013.0 hPa')\n"
+    capture = tmp_path / "weather.pcapng"
+    command = bytes.fromhex("0f00 0800 00 0800 99 1d 00 02 81 28 00 02 60 64")
+    with capture.open("wb") as stream:
+        write_pcapng([command, bytes.fromhex("0b00 0800 02 0040 7d44 0000 5c42")], stream)
+    assert "TYPE      = 40 weather station" in _run(copy, "decode", command.hex())
+    with Tshark.from_setting(copy / "dissector" / "ev3.lua") as tshark:
+        tree = tshark.run(capture, "-V")
+    assert "VALUES[0]: 1013 hPa (pressure)" in tree
+    assert "VALUES[1]: 55 % (humidity)" in tree
 
 
 def test_a_rule_is_checked_explained_and_documented(copy: Path) -> None:

@@ -118,6 +118,8 @@ def identify(
         missing: Frames without their length and operations without a header count, too.
         reader: The reader of the dialect; None: of the official one.
     """
+    if len(data) < _LEAST_OPERATIONS:
+        return NOTHING
     given = _Given(data, reader or frame_reader(), whole, is_doubtful)
     for row in _ROWS if missing else _ROWS[:-1]:
         found = row(given)

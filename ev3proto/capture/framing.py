@@ -208,7 +208,9 @@ class Cutter:
         )
         if self._in_step and buffer.size is not None and not is_text:
             reason += f" and {buffer.size - len(buffer)} are missing"
-        return found + self._take_all(advice(identify(buffer.pending, reader=self._finder.schema)) or reason)
+        # A frame that was cut is likelier than one without its header.
+        said = None if is_text else advice(identify(buffer.pending, missing=False, reader=self._finder.schema))
+        return found + self._take_all(said or reason)
 
     def _give_up(self) -> list[StreamPart]:
         """Returns the pieces of the pending bytes, if no more will come."""

@@ -58,6 +58,7 @@ OTHERWISE = {
     ("paste", "NXT, motor on B"): (FRAME, "its length fits: decode and check read it, and name it"),
     ("paste", "counts itself"): (FRAME, "decode and check say what is wrong with a frame"),
     ("paste", "cut"): (FRAME, "the same"),
+    ("capture", "operations"): ("9 bytes came and 397 are missing", "in a capture, a frame is rather cut"),
     ("capture", "cut"): ("13 bytes came and 3 are missing", "the end of a stream says what is missing"),
     ("brick", "cut"): ("13 of its 16 bytes came", "the same"),
     ("proxy", "cut"): ("inside a frame, after 13 bytes", "the same"),

@@ -262,7 +262,8 @@ class Checking:
         """Counts the findings of a report, and shows them."""
         report = checked.report
         if report is not None and self._counts(report, checked.place):
-            nearest = self._suggestions.of(report) if isinstance(report, Report) and checked.fix is None else ()
+            is_frame = isinstance(report, Report) and not checked.is_program
+            nearest = self._suggestions.of(report) if is_frame and checked.fix is None else ()
             shown = self._options.shown(report)
             self._output.show(checked._replace(shown=shown, nearest=nearest, is_whole=self._options.whole))
 

@@ -225,3 +225,9 @@ def test_run_and_check_say_the_same(tmp_path: Path, code: str, words: str) -> No
     said = run_ev3proto_text("check", path).stdout
     assert all(f"[{word}]: offset " in said for word in words.split()), said
     assert run_ev3proto_text("run", path, "--limit", "1").stderr.startswith(said)
+
+
+def test_a_damaged_program_is_not_taken_for_a_frame_with_a_slip(tmp_path: Path) -> None:
+    path = tmp_path / "damaged.rbf"
+    path.write_bytes(bytes.fromhex("4c45474f1f0000001b0000006a0000001c000000000001000000000000080a"))
+    assert "nearest" not in json.loads(run_ev3proto_text("check", "--json", path).stdout)

@@ -121,7 +121,7 @@ OWN = {"type": 61, "modes": [MODE]}
         ({"modes": [MODE]}, "device.type is missing"),
         ({**OWN, "type": 126}, "device.type: unknown type 126; expected 1 to 124, or a name of TYPE"),
         ({**OWN, "type": "TYPE_GIRO"}, "device.type: unknown type 'TYPE_GIRO'"),
-        ({**OWN, "type": 7}, "device.type: 7 is the type of a motor: EV3 large motor"),
+        ({**OWN, "type": 7}, "device.type: 7 is the type of a motor: large motor"),
         ({**OWN, "colour": 1}, "device: unknown key 'colour'; expected one of type, title, connection"),
         ({**OWN, "title": ""}, "device.title must be a text of 1 to 40 characters"),
         ({**OWN, "connection": "CONN_UART"}, "unknown name 'CONN_UART': did you mean CONN_INPUT_UART?"),

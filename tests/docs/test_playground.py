@@ -1153,7 +1153,7 @@ def test_each_type_of_a_device_on_a_real_brick_is_shown() -> None:
         "import json; from bridge.real_brick import shown; print(json.dumps([shown(n, 0, 1.5) for n in range(256)]))"
     )
     found = json.loads(_bridge(script))
-    assert found[7] == ["EV3 large motor", "2 degrees"]
+    assert found[7] == ["large motor", "2 degrees"]
     assert found[17] == ["unused type 17", "2"]
     assert found[30] == ["EV3 ultrasonic sensor", "1.5 cm"]
     assert found[60] == ["type 60", "1.5"]

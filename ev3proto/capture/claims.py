@@ -77,6 +77,8 @@ class Claim:
         adopt: Callable[[int], Callable[[], list[Event]]],
         starts: Sequence[int] = (0,),
         missing: int = 0,
+        *,
+        needs_reply: bool = False,
     ) -> tuple[Found, int, list[Event]]:
         """Judges the newest packet of a conversation that is not claimed, which may begin a claim.
 
@@ -86,6 +88,7 @@ class Claim:
             adopt: Returns the function that gives the events of commands from an offset on, for when they are proved.
             starts: Offsets at which packets begin in these bytes, the newest last.
             missing: Number of the packet's bytes that were not captured.
+            needs_reply: A command claims nothing before a reply proves it.
 
         Returns:
             CHAIN and the offset from which on the bytes are ours, with the events of earlier commands; OPEN and the
@@ -105,6 +108,8 @@ class Claim:
             return (Found.CHAIN, 0, []) if self._has_replies(text) else (Found.NOTHING, len(text), [])
         anywhere = self.state is _ENDED
         found, place = self._finder.find_command(text, starts, self._begins, missing, anywhere=anywhere)
+        if found is Found.CHAIN and needs_reply:
+            found = Found.SINGLE
         if found is Found.CHAIN:
             self.to_brick = side
             self.begin()

@@ -17,10 +17,11 @@ from enum import StrEnum
 from pathlib import Path
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of
+from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of, unanswered_after
 from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
+from ev3proto.errors import counted
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.tables.system import FieldKind, SystemDeclaration, SystemStatus
 from ev3proto.temporary import PREFIX, temporary_folder
@@ -39,6 +40,8 @@ class FileState(StrEnum):
     """The outcome of a transfer."""
 
     COMPLETE = "complete"
+    SENT = "sent, no reply wanted"
+    UNANSWERED = "last piece never answered"
     INCOMPLETE = "incomplete"
     REFUSED = "refused"
 
@@ -53,7 +56,7 @@ class RecoveredFile:
     peer: str
     bytes: int  # number of transferred bytes
     size: int | None  # size of the whole file in bytes, None if unknown
-    outcome: FileState  # complete, incomplete, or refused by the brick before any byte was transferred
+    outcome: FileState  # complete if the brick answered the last piece; refused if it did so before any byte was moved
     trouble: str | None  # why it is not complete, or cannot be written, as a sentence
     packets: tuple[int, int]  # its first and its last packet
     file: Path | None = None  # its path on this computer, None if it was not written
@@ -123,7 +126,7 @@ def recover(
 
 
 def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -> Path | None:
-    is_whole = moving.outcome is FileState.COMPLETE
+    is_whole = moving.bytes == moving.size and moving.failure is None
     if not is_whole and not moving.bytes:
         return None
     parts = (safe_name(moving.peer), *moving.parts) if several else moving.parts
@@ -157,6 +160,7 @@ class _Moving:
     transfer: Transfer | None = None  # its transfer in the dialogue, None if the dialogue does not follow it
     stated: int | None = None  # its size in bytes, if there is no transfer
     bytes: int = 0
+    unanswered: Record | None = None  # the command with the last piece, or that began it, until its reply comes
     failure: str | None = None  # the brick's error
     unwritten: str | None = None  # why it is not on this computer's disk
 
@@ -168,22 +172,28 @@ class _Moving:
     def outcome(self) -> FileState:
         if self.failure is not None:
             return FileState.INCOMPLETE if self.bytes else FileState.REFUSED
-        return FileState.COMPLETE if self.bytes == self.size else FileState.INCOMPLETE
+        if self.bytes != self.size:
+            return FileState.INCOMPLETE
+        if self.direction == FROM_BRICK or self.unanswered is None:
+            return FileState.COMPLETE
+        return FileState.UNANSWERED if self.unanswered.message.wants_reply else FileState.SENT
 
     @property
     def trouble(self) -> str | None:
         if self.unwritten is not None:
             return f"it cannot be written: {self.unwritten}"
-        if self.outcome is FileState.COMPLETE:
+        if self.outcome in (FileState.COMPLETE, FileState.SENT):
             return None
+        if self.outcome is FileState.UNANSWERED:
+            return f"{counted(self.bytes, 'byte')} sent, the last piece never answered"
         if self.outcome is FileState.REFUSED:
             return f"the brick refused it: {self.failure}"
-        counted = f"{self.bytes} of {self.size} bytes" if self.size is not None else f"{self.bytes} bytes of it"
+        moved = f"{self.bytes} of {self.size} bytes" if self.size is not None else f"{self.bytes} bytes of it"
         if self.failure is not None:
-            return f"{counted} were moved, then the brick said {self.failure}"
+            return f"{moved} were moved, then the brick said {self.failure}"
         if self.size is not None and self.bytes > self.size:
             return f"it has {self.size} bytes, but {self.bytes} were moved"
-        return f"{counted} were captured"
+        return f"{moved} were captured"
 
     def result(self, file: Path | None) -> RecoveredFile:
         return RecoveredFile(
@@ -245,6 +255,7 @@ class _Files:
             if moving.direction == FROM_BRICK:
                 # A retry.
                 moving.failure = None
+        moving.unanswered = unanswered_after(record, moving.unanswered)
         piece = piece_of(message)
         if piece:
             self._write(moving.number, piece)

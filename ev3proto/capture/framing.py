@@ -24,7 +24,7 @@ from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossibl
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import foreign, identify
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MESSAGE_TYPES
 
 MARK_SIZE = 200
 """Approximate memory of a packet with pending bytes, besides these, in bytes."""
@@ -172,8 +172,14 @@ class Cutter:
         return [frame]
 
     def _is_sure_of_frame(self) -> bool:
-        """Returns whether the pending bytes are certainly a frame, with its header."""
-        return self._is_sure() and not self._rest and len(self._buffer) >= HEADER_SIZE and not self._is_in_text()
+        """Returns whether the pending bytes are a frame, with its header; after a gap, if a packet begins with it."""
+        buffer = self._buffer.pending
+        if self._rest or len(buffer) < HEADER_SIZE or self._is_in_text():
+            return False
+        if self._is_sure():
+            return True
+        is_packet = len(self._marks) == 1 or (self._in_step and not self._trials)
+        return is_packet and self._finder.may_become(buffer, 0) and self.accepts(MESSAGE_TYPES[buffer[HEADER_SIZE - 1]])
 
     def leave_hole(self, missing: int) -> list[StreamPart]:
         """Leaves a gap of missing bytes, 0 if their number is unknown. Gives up the pending bytes."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ev3proto.capture.record import Record
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration
@@ -47,3 +48,16 @@ def begins(message: Message) -> bool:
     """Returns whether a message is a command that begins a transfer."""
     entry = entry_of(message)
     return isinstance(message, SystemCommand) and entry is not None and entry.transfer == "begin"
+
+
+def unanswered_after(record: Record, before: Record | None) -> Record | None:
+    """Returns the command with the last piece of a file, or that began it, that the brick has not answered.
+
+    Args:
+        record: The next message of the transfer.
+        before: What this returned for the message before it, None at first.
+    """
+    message = record.message
+    if isinstance(message, SystemCommand):
+        return record if begins(message) or piece_of(message) else before
+    return None if record.request is None or record.request is before else before

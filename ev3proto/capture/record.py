@@ -9,11 +9,13 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
-from ev3proto.errors import Error
+from ev3proto.errors import DecodeError, Error
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import FrameReader
+from ev3proto.schema.header import HEADER_SIZE, frame_size
 from ev3proto.tables.carriers import Carrier
+from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.json_format.from_messages import record as message_record
 from ev3proto.text.phrases import Seen
 
@@ -93,7 +95,6 @@ class Written(NamedTuple):
     time       as written, None if there is none
     is_typed   it was given by itself, as on a command line
     column     in its line at which it starts, the first is 1; None for a message that was made
-    is_cut     whether the text says that there were more bytes
     unknown    offsets in the frame of bytes that the text does not give, which were read as zero
     rest       the bytes after the frame that have no meaning, such as padding
     """
@@ -103,7 +104,6 @@ class Written(NamedTuple):
     time: str | None = None
     is_typed: bool = False
     column: int | None = None
-    is_cut: bool = False
     unknown: frozenset[int] = frozenset()
     rest: bytes = b""
 
@@ -127,6 +127,7 @@ class Record:
     answered    for a command: the facts about its reply; None without one so far
     transfer    the file transfer that a system message belongs to, if any; its counts increase while reading
     note        a sentence about a peculiarity besides its contents, if any
+    missing     number of bytes at the end of the frame that the capture or the text has left out
     written     what the text says in which it is; None in a capture
     name        the name of the capture; empty if unknown
 
@@ -146,6 +147,7 @@ class Record:
         "answered",
         "connection",
         "frame",
+        "missing",
         "name",
         "note",
         "numbers",
@@ -176,6 +178,7 @@ class Record:
         self.answered: Outcome | None = None
         self.transfer = transfer
         self.note = note
+        self.missing = 0
         self.written: Written | None = None
         self.name = ""
         self._reader = reader
@@ -219,8 +222,8 @@ class Record:
         """Its circumstances, as far as a text or the route tells them."""
         written = self.written
         if written is None:
-            return Seen(direction=self.route.direction, frame=self.frame)
-        return Seen(written.direction, written.time, written.is_cut, frame=self.frame, unknown=written.unknown)
+            return Seen(self.route.direction, missing=self.missing, frame=self.frame)
+        return Seen(written.direction, written.time, self.missing, frame=self.frame, unknown=written.unknown)
 
     def as_dict(self) -> dict[str, Any]:
         """Returns it as `ev3proto decode --json` prints it, for other tools; bytes are hex."""
@@ -256,9 +259,10 @@ class Record:
         return self.written is not None and self.written.column is not None
 
     @property
-    def is_cut(self) -> bool:
-        """Whether a text says that the frame had more bytes."""
-        return self.written is not None and self.written.is_cut
+    def fault(self) -> DecodeError | None:
+        """What is wrong with the frame, unless only its end is missing here."""
+        fault = self.message.fault
+        return None if fault is None or (self.missing and fault.truncated) else fault
 
     @property
     def is_from_brick(self) -> bool:
@@ -341,6 +345,12 @@ def _keep(record: Record) -> None:
     if len(_read) > MOST_READ:
         oldest = _read.popleft()
         oldest._message = oldest._values = None
+
+
+def missing_of(frame: bytes) -> int:
+    """Returns the number of bytes that a frame lacks at its end; without its length field, those of its header."""
+    size = frame_size(frame) if len(frame) >= LENGTH_FIELD else HEADER_SIZE
+    return max(size - len(frame), 0)
 
 
 class TextKind(StrEnum):

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
-from ev3proto.capture.moving import UPLOADS, begins
+from ev3proto.capture.moving import UPLOADS, begins, unanswered_after
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Skipped, utc
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
@@ -79,7 +79,7 @@ class TransferSummary:
     size: int | None  # total number of bytes, None if unknown
     seconds: float  # seconds from its first message to its last
     rate: float | None  # bytes per second, None if it took no time
-    complete: bool  # all of it was transferred
+    complete: bool  # all of it was transferred, and the brick answered the last piece if that wanted a reply
     failed: bool  # the brick reported a failure
     packet: int  # the packet in which it began
     peer: str
@@ -106,6 +106,7 @@ class PeerSummary:
     latency: Percentiles | None = None  # latency of all replies, None without any
     errors: int = 0  # replies that report a failure
     faults: int = 0  # faulty frames
+    cut: int = 0  # frames whose last bytes the capture or the text has left out
     unanswered: int = 0  # commands that requested a reply and got none
     orphans: int = 0  # replies whose command was not captured
     first: str | None = None  # time of the first message, UTC; None if unknown
@@ -162,7 +163,8 @@ class _Peer:
         # A record that answers another one is a reply, even if a command's type is written over its start.
         kind = message.kind if record.request is None else message.kind.replace("-command", "-reply")
         self.counts.kinds.setdefault(kind, Amount()).add(size)
-        self.counts.faults += message.fault is not None
+        self.counts.faults += record.fault is not None
+        self.counts.cut += record.missing > 0
         if record.route.is_timed:
             self._first_ns = record.time_ns if self._first_ns is None else min(self._first_ns, record.time_ns)
             self._last_ns = max(self._last_ns, record.time_ns)
@@ -223,19 +225,22 @@ class _Moving:
     packet: int
     peer: str
     failed: bool = False
+    unanswered: Record | None = None
 
     def summary(self) -> TransferSummary:
         transfer = self.transfer
         seconds = (self.last_ns - self.first_ns) / NANOSECONDS
+        is_upload = transfer.command in UPLOADS
+        is_open = not is_upload and self.unanswered is not None and self.unanswered.message.wants_reply
         return TransferSummary(
             transfer.path,
             transfer.command,
-            "from brick" if transfer.command in UPLOADS else "to brick",
+            "from brick" if is_upload else "to brick",
             transfer.transferred,
             transfer.size,
             seconds,
             transfer.transferred / seconds if seconds > 0 else None,
-            transfer.is_complete and not self.failed,
+            transfer.is_complete and not self.failed and not is_open,
             self.failed,
             self.packet,
             self.peer,
@@ -292,8 +297,9 @@ class Statistics:
 
     def _record(self, record: Record) -> None:
         message = record.message
-        if message.fault is not None and len(self._faults) < MOST_LISTED:
-            self._faults.append(Noted(record.number, record.peer, str(message.fault)))
+        if record.fault is not None and len(self._faults) < MOST_LISTED:
+            self._faults.append(Noted(record.number, record.peer, str(record.fault)))
+        self._missing_bytes += record.missing
         counted = self._counted(record.peer)
         self._further += len(counted) == 1
         for each in counted:
@@ -353,6 +359,7 @@ class Statistics:
             self._transfers[id(transfer)] = moving
         moving.last_ns = max(moving.last_ns, record.time_ns)
         moving.failed |= is_error(record.message)
+        moving.unanswered = unanswered_after(record, moving.unanswered)
 
     def _skip(self, event: Skipped) -> None:
         self._skipped_pieces += 1

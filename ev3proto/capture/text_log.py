@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import LoggedConversations
-from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Place, Record, Route, Written
+from ev3proto.capture.record import HOST, NANOSECONDS, Direction, Place, Record, Route, Written, missing_of
 from ev3proto.messages import Message
 from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import HEADER_SIZE
@@ -117,10 +117,12 @@ class TextLog:
         account = self.account
         time_ns = self._time(pasted.time, len(pasted.data))
         for message, start, rest in split(pasted.data, dialect=self._dialect) if pasted.data else ():
-            fault, unknown = message.fault, frozenset([one.offset - start for one in pasted.unknown])
-            is_cut = pasted.cut and fault is not None and fault.truncated
-            written = Written(place, pasted.direction, pasted.time, is_typed, pasted.column, is_cut, unknown, rest)
-            yield self._record(message, written, pasted.line, time_ns, pasted.label or "")
+            unknown = frozenset([one.offset - start for one in pasted.unknown])
+            written = Written(place, pasted.direction, pasted.time, is_typed, pasted.column, unknown, rest)
+            record = self._record(message, written, pasted.line, time_ns, pasted.label or "")
+            if pasted.cut and message.fault is not None and message.fault.truncated:
+                record.missing = missing_of(record.frame)
+            yield record
         account.padding = account.captured - account.frames
 
     def made(self, message: Message, place: Place, number: int) -> Record:

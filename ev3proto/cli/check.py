@@ -126,7 +126,7 @@ class Checking:
     def run(self) -> None:
         """Checks everything, and shows the numbers of frames and findings."""
         tally, problems = self.tally, self._problems
-        for part in parts_of(self._reading, problems, lambda: tally.frames + tally.programs, _nothing):
+        for part in parts_of(self._reading, problems, lambda: tally.seen, _nothing):
             for event in problems.beside(part):
                 self._check(event)
         self._take_first(is_alone=True)
@@ -163,10 +163,12 @@ class Checking:
         if record.is_from_brick:
             self.tally.replies += 1
             return False
-        if record.is_cut:
+        if record.missing and record.written is None:
+            self.tally.cut += 1
+        elif record.missing:
             size = len(record.frame)
             self._problems.wrong(f"{record.place}: cannot check a frame that is cut off after {size} bytes")
-        return not record.is_cut
+        return not record.missing
 
     def _place(self, record: Record) -> FramePlace:
         where, written = record.place, record.written

@@ -69,17 +69,23 @@ class Checked(NamedTuple):
 
 @dataclass(slots=True)
 class Tally:
-    """What was checked, and the numbers of findings by severity."""
+    """What was checked, and the numbers of findings by severity; `cut`: commands that a capture has only in part."""
 
     frames: int = 0
     programs: int = 0
     replies: int = 0
+    cut: int = 0
     findings: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def seen(self) -> int:
+        """The number of commands and programs, checked or cut."""
+        return self.frames + self.programs + self.cut
 
     @property
     def is_one(self) -> bool:
         """Whether no more than one thing was read."""
-        return self.frames + self.programs + self.replies <= 1
+        return self.seen + self.replies <= 1
 
     def add(self, findings: Iterable[Finding]) -> None:
         """Counts findings."""
@@ -147,12 +153,14 @@ class TextOutput(Output):
 
     def end(self, tally: Tally, *, is_quiet: bool) -> None:
         """Prints a line, if there is more than one frame; none for no frame at all."""
-        if not (tally.frames or tally.programs) or (tally.is_one and not is_quiet):
+        if not tally.seen or (tally.is_one and not is_quiet and not tally.cut):
             return
         found = ", ".join(counted(tally.findings[severity], severity) for severity in SEVERITIES)
         line = [(f"{tally.inputs}: ", Role.HEADING), (found, Role.PLAIN)]
         if tally.replies:
             line.append((f"; {counted(tally.replies, 'frame')} from the brick not checked", Role.ASIDE))
+        if tally.cut:
+            line.append((f"; {counted(tally.cut, 'frame')} cut by the capture not checked", Role.ASIDE))
         if self.is_edited:
             complain(plain_text(line))
         else:
@@ -186,7 +194,15 @@ class JsonOutput(Output):
         """Prints the numbers if nothing else is printed."""
         if is_quiet:
             counts = {f"{severity}s": tally.findings[severity] for severity in SEVERITIES}
-            say_json({"frames": tally.frames, "programs": tally.programs, "replies": tally.replies, **counts})
+            say_json(
+                {
+                    "frames": tally.frames,
+                    "programs": tally.programs,
+                    "replies": tally.replies,
+                    "cut": tally.cut,
+                    **counts,
+                }
+            )
 
 
 def _complain_of_source(checked: Checked) -> None:

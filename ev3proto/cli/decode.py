@@ -53,6 +53,7 @@ class _Decoding:
                 dialogues.show(pair, part.account.first_ns or 0)
                 for record in filter(None, pair):
                     self._complain_of(record)
+            dialogues.end()
 
     def programs(self) -> None:
         """Shows the programs that captures transfer."""

@@ -93,7 +93,7 @@ def encoded(
             for record in made_of(event, reading, problems, **asdict(replace(making, counter=counter))):
                 yield record.message
                 counter = (record.message.counter + 1) % COUNTERS
-        elif isinstance(event, Record) and event.is_cut:
+        elif isinstance(event, Record) and event.missing:
             problems.wrong(f"{event.place}: cannot encode a frame that is cut off after {len(event.frame)} bytes")
         elif isinstance(event, Record):
             yield event.message

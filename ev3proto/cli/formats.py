@@ -181,7 +181,7 @@ class Json(Format):
 
 def _entry(record: Record) -> dict[str, Any]:
     """Returns a frame with its place in the capture or the log, for other tools."""
-    seen = Seen(direction=record.direction, frame=record.frame)
+    seen = Seen(direction=record.direction, missing=record.missing, frame=record.frame)
     return message_record(record.exchange, seen) | record.circumstances()
 
 
@@ -203,7 +203,7 @@ class Csv(Format):
     def _message(self, exchange: Exchange, seen: Seen, connection: int | None = None) -> None:
         is_counted = seen.unknown.isdisjoint(range(LENGTH_FIELD, LENGTH_FIELD + COUNTER_SIZE))
         counter = exchange.message.counter if is_counted else UNKNOWN
-        self._rows((seen.time, seen.direction, connection, counter), rows(exchange, seen.unknown))
+        self._rows((seen.time, seen.direction, connection, counter), rows(exchange, seen.unknown, seen.missing))
 
     def announcement(self, announcement: Announcement, start_ns: int) -> None:  # noqa: D102, ARG002
         told = utc(announcement.time_ns), announcement.route.direction, None, None

@@ -10,10 +10,15 @@ from ev3proto.capture.record import Record
 from ev3proto.cli.formats import Format
 from ev3proto.reading.items import Event
 from ev3proto.reading.parts import Part
+from ev3proto.semantics.pairing import counters_slip
 from ev3proto.text.spans import Role
 
 if TYPE_CHECKING:
     from ev3proto.capture.filter import Filter
+
+
+MOST_ALONE = 4096
+"""Maximum number of commands, and of replies, without the other that are kept to find out why."""
 
 
 def matching(events: Iterable[Event], chosen: Filter | None, part: Part) -> Iterator[RequestReply]:
@@ -38,6 +43,9 @@ class Dialogues:
         self._is_known = is_known
         self._place = ""
         self._has_labels = False
+        self._commands: list[bytes] = []
+        self._replies: list[bytes] = []
+        self._paired = 0
 
     def show(self, pair: RequestReply, start_ns: int) -> None:
         """Shows a command with its reply."""
@@ -47,6 +55,23 @@ class Dialogues:
             self._place = place
             self._show.aside([(place, Role.HEADING)])
         self._show.pair(pair, start_ns)
+        self._keep(pair)
+
+    def end(self) -> None:
+        """Shows why replies answer no command, if one slip of the counters explains that for most."""
+        slip = counters_slip(self._commands, self._replies) if self._paired <= len(self._replies) else None
+        if slip is not None:
+            self._show.aside([(slip, Role.HEADING)])
+        self._commands, self._replies, self._paired = [], [], 0
+
+    def _keep(self, pair: RequestReply) -> None:
+        """Keeps the frame of a command without a reply, or of a reply without a command."""
+        message, frame = pair.last.message, pair.last.frame
+        if None not in pair:
+            self._paired += 1
+        elif message.type is not None and message.wants_reply is message.type.is_command:
+            kept = self._commands if message.type.is_command else self._replies
+            kept += [frame] if len(kept) < MOST_ALONE else []
 
     def _label(self, pair: RequestReply) -> str:
         """Returns the label of a dialogue in a text; empty as long as no command has that of its reply."""

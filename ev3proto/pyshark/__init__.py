@@ -17,12 +17,12 @@ import json
 import os
 import shutil
 from collections.abc import Collection, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from ev3proto.bounded import DEFAULT_MEMORY
-from ev3proto.capture import Account, Capture, Event, Record
+from ev3proto.capture import Account, Capture, CaptureError, Event, Record
 from ev3proto.capture.formats import CaptureFile
 from ev3proto.pyshark.events import FIELDS, Events, Row
 from ev3proto.pyshark.packets import frame_of, row_of
@@ -167,9 +167,18 @@ def read(
         path = _file(source, stack)
         program = Tshark(tshark)
         words = stack.enter_context(program.parameters(dialect, ports))
+        if _is_cut(path):
+            words += ["-o", "tcp.reassemble_out_of_order:FALSE"]  # which never goes on after a cut segment
         for field in FIELDS:
             words += ["-e", field]
         return Capture(_events(program, [*words, "-T", "ek", "-r", str(path)], events, stack.pop_all()), account)
+
+
+def _is_cut(path: Path) -> bool:
+    """Returns whether a packet was captured in part, as far as the file is read here."""
+    with CaptureFile.at(path) as file, suppress(CaptureError):
+        return file.is_capture and any(len(packet.data) < packet.size for packet in file.packets())
+    return False
 
 
 def _events(program: Tshark, words: list[str], events: Events, stack: ExitStack) -> Iterator[Event]:

@@ -15,7 +15,7 @@ from ev3proto.bounded import DEFAULT_MEMORY, Bounded, Budget
 from ev3proto.capture import Account, Announcement, Carrier, Direction, Event, Route, Skipped, TextKind
 from ev3proto.capture.carriers.usb.reports import OVERWRITTEN
 from ev3proto.capture.conversation import Conversation
-from ev3proto.capture.record import HOST, NANOSECONDS
+from ev3proto.capture.record import HOST, NANOSECONDS, missing_of
 from ev3proto.errors import DecodeError
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import frame_reader
@@ -169,10 +169,13 @@ class Events:
         self._move("frames", len(data))
         ends = frozenset((route.source, route.target))
         talk = self._conversations.use(ends, lambda: Conversation(self._schema, self._budget, self._numbers))[0]
-        if not row.all("ev3.expert.bootloader_fault"):
-            return talk.record(data, *place)
-        record = talk.overwritten(data, *place)
-        record.note = OVERWRITTEN
+        if row.all("ev3.expert.bootloader_fault"):
+            record = talk.overwritten(data, *place)
+            record.note = OVERWRITTEN
+            return record
+        record = talk.record(data, *place)
+        if row.number("frame.cap_len") < row.number("frame.len"):
+            record.missing = missing_of(data)
         return record
 
     def _move(self, part: str, size: int) -> None:

@@ -29,12 +29,13 @@ class Faults:
     def of(self, record: Record, *, is_text: bool = True) -> Problem | None:
         """Returns what is wrong with a frame, unless it was cut off: of the bytes in a text, also what was meant."""
         message, place = record.message, record.place
-        if message.fault is not None and not record.is_cut:
+        fault = record.fault
+        if fault is not None:
             named = advice(foreign(record.frame, frame_reader(self._dialect)))
             said = f"{named}; " if named else ""
             meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
-            place = place._replace(offset=message.fault.offset)
-            return Problem(place, ProblemCode.FAULT, f"{said}fault at {message.fault}{''.join(meant)}")
+            place = place._replace(offset=fault.offset)
+            return Problem(place, ProblemCode.FAULT, f"{said}fault at {fault}{''.join(meant)}")
         if not is_text:
             return None
         if record.is_from_brick and record.seen.direction is None:

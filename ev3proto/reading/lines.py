@@ -17,7 +17,7 @@ from ev3proto.text.tree import tree
 STYLES: dict[str, Callable[[Exchange, Seen], Iterable[Line]]] = {
     "tree": tree,
     "table": table,
-    "sentence": lambda exchange, seen: [Line([*origin(seen), (sentence(exchange), Role.PLAIN)])],
+    "sentence": lambda exchange, seen: [Line([*origin(seen), (sentence(exchange, seen.missing), Role.PLAIN)])],
 }
 """The styles of messages as lines."""
 
@@ -44,7 +44,7 @@ def record_seen(event: Record | Announcement, start_ns: int) -> Seen:
     if isinstance(event, Announcement):
         return seen
     answers = None if event.request is None else event.request.number
-    return seen._replace(answers=answers, latency=event.latency, frame=event.frame)
+    return seen._replace(answers=answers, latency=event.latency, missing=event.missing, frame=event.frame)
 
 
 def _place(route: Route) -> str:
@@ -69,5 +69,7 @@ def pair_line(pair: RequestReply, start_ns: int) -> Spans:
             None if pair.command is None else pair.command.message,
             None if reply is None else reply.exchange,
             None if reply is None else reply.latency,
+            of_command=0 if pair.command is None else pair.command.missing,
+            of_reply=0 if reply is None else reply.missing,
         ),
     ]

@@ -69,6 +69,9 @@ class Part:
             yield event
         if is_empty:
             yield self.nothing()
+        elif self.account.strange:
+            sentence = f"not all of it was read{self.passed_over}"
+            yield Problem(self._place, ProblemCode.SKIPPED, sentence, Severity.WARNING)
         forgotten = self.account.forgotten - dropped * self.is_text
         if forgotten and self._can_answer:
             sentence = self._options.given_up(forgotten)
@@ -87,7 +90,8 @@ class Part:
             return self._texts.nothing()
         matches = f" matches the filter{chosen.hint}" if chosen is not None else ""
         code = ProblemCode.NO_MATCH if chosen is not None and account.frames + account.texts else ProblemCode.EMPTY
-        return Problem(self._place, code, f"no {self._options.wanted} in {self.extent}{matches}{self.passed_over}")
+        passed_over = "" if code is ProblemCode.NO_MATCH else self.passed_over
+        return Problem(self._place, code, f"no {self._options.wanted} in {self.extent}{matches}{passed_over}")
 
     @property
     def extent(self) -> str:

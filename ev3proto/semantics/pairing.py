@@ -11,7 +11,8 @@ with its own label, unless more replies were found to answer commands with anoth
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Hashable
+from collections import Counter
+from collections.abc import Callable, Collection, Hashable
 from typing import Generic, NamedTuple, TypeVar
 
 from ev3proto.bounded import Budget, dropper
@@ -76,6 +77,40 @@ def pairing_key(frame: bytes) -> tuple[int, int | None]:
     if requests_memory and len(frame) >= COMMAND_HEADER_SIZE:
         return key, read_memory(frame)[0]
     return key, None
+
+
+_SLIPS: dict[str, Callable[[int], int]] = {
+    "one higher than the commands'": lambda counter: (counter + 1) % COUNTERS,
+    "one lower than the commands'": lambda counter: (counter - 1) % COUNTERS,
+    "0, whatever the commands' are": lambda _: 0,
+    "the commands' with their two bytes swapped": lambda counter: counter >> 8 | (counter & 0xFF) << 8,
+}
+"""What a brick or a program between may do to counters, each with the counter of the reply to a command."""
+
+
+def counters_slip(commands: Collection[bytes], replies: Collection[bytes]) -> str | None:
+    """Returns what is wrong with the counters of replies that answer no command; None if nothing explains all of them.
+
+    Args:
+        commands: The frames of commands that wait for a reply.
+        replies: The frames of replies to none of them.
+    """
+    asked = [(key - counter, counter, size) for key, size, counter in map(_parts, commands)]
+    given = [(key - counter, counter, size) for key, size, counter in map(_parts, replies)]
+
+    def explains(slip: Callable[[int], int]) -> bool:
+        fitting = [(kind, slip(counter), size) for kind, counter, size in asked]
+        sized = [each for each in given if each[2] is not None]
+        kinds = Counter(each[:2] for each in given) <= Counter(each[:2] for each in fitting)
+        return kinds and Counter(sized) <= Counter(fitting)
+
+    found = (name for name, slip in _SLIPS.items() if asked and given and explains(slip))
+    return next((f"the replies' counters are {name}" for name in found), None)
+
+
+def _parts(frame: bytes) -> tuple[int, int | None, int]:
+    """Returns the key and the size of a frame, and its counter."""
+    return *pairing_key(frame), unpack_header(frame)[1]
 
 
 class Answer(NamedTuple, Generic[T]):

@@ -31,7 +31,7 @@ class CsvRow(NamedTuple):
 
     offset     of its first byte in the frame
     operation  the operation or system command that it belongs to, such as `SOUND.TONE`; empty if unknown
-    name       of the parameter or field; `status`, `memory`, `payload`, `fault`; empty for an operation alone
+    name       of the parameter or field; `status`, `memory`, `payload`, `fault`, `missing`; empty for an operation
     value      a number, or a text
     unit       of the number, such as `Hz`; empty if it has none
     """
@@ -43,19 +43,22 @@ class CsvRow(NamedTuple):
     unit: str = ""
 
 
-def rows(exchange: Exchange, unknown: frozenset[int] = frozenset()) -> Iterator[CsvRow]:
+def rows(exchange: Exchange, unknown: frozenset[int] = frozenset(), missing: int = 0) -> Iterator[CsvRow]:
     """Yields what a message says, in the order of its bytes; at least one row.
 
     Args:
         exchange: The message with its facts from the dialogue.
         unknown: The offsets of bytes that a text does not give.
+        missing: The number of bytes at its end that the text or the capture left out.
     """
     message = exchange.message
     is_empty = True
     for row in () if message.flaw.headless else _body(exchange, unknown):
         is_empty = False
         yield row
-    if message.fault is not None:
+    if missing and (message.fault is None or message.fault.truncated):
+        yield CsvRow(len(message.build()), "", "missing", missing, "bytes")
+    elif message.fault is not None:
         yield CsvRow(message.fault.offset, "", "fault", message.fault.reason)
     elif is_empty:
         yield from _status(message, of=_of(message))

@@ -148,7 +148,7 @@ class Seen(NamedTuple):
 
     direction: str | None = None  # `sent` or `received`, as the computer sees it
     time: str | None = None  # as written in a log, or seconds since the capture began
-    cut: bool = False  # the text was cut off
+    missing: int = 0  # number of bytes at its end that the text or the capture left out
     packets: tuple[int, ...] = ()  # the packets of a capture that carried it
     place: str | None = None  # carrier and brick
     answers: int | None = None  # for a reply: the packet of its command
@@ -187,8 +187,9 @@ def heading(exchange: Exchange, seen: Seen) -> Spans:
         line.append((message.type.name, Role.HEADING))
         counter = "?" if seen.unknown & {LENGTH_FIELD, LENGTH_FIELD + 1} else message.counter
         line.append((f", counter {counter}, {counted(size, 'byte')}", Role.PLAIN))
-    if seen.cut and message.stated_length is not None:
-        line.append((f" of {message.stated_length + 2}: the text is cut here", Role.MEANING))
+    if seen.missing and message.stated_length is not None:
+        source = "capture" if seen.packets else "text"
+        line.append((f" of {size + seen.missing}: the {source} is cut here", Role.MEANING))
     line += _what(exchange)
     if seen.latency is not None:
         line.append((f" ({seen.latency * 1000:.3f} ms after #{seen.answers})", Role.ASIDE))
@@ -223,8 +224,18 @@ _MOST_VALUES = 16
 _MOST_TEXT = 60
 
 
-def command_spans(message: Message) -> Spans:
-    """Returns what a command asks for: its operations with their arguments, or its fields."""
+def _after(message: Message, missing: int) -> Spans:
+    """Returns the fault of a message, unless it is that its last bytes are missing here."""
+    if missing and (message.fault is None or message.fault.truncated):
+        return [(f" (the last {counted(missing, 'byte')} are missing)", Role.MEANING)]
+    return [] if message.fault is None else [(f" (fault at {message.fault})", Role.FAULT)]
+
+
+def command_spans(message: Message, missing: int = 0) -> Spans:
+    """Returns what a command asks for: its operations with their arguments, or its fields; and what is wrong with it.
+
+    `missing`: the number of bytes at its end that the text or the capture left out.
+    """
     line: Spans = []
     if isinstance(message, DirectCommand):
         line += _operations(message.operations) if message.operations else [("no operations", Role.ASIDE)]
@@ -238,16 +249,19 @@ def command_spans(message: Message) -> Spans:
             line += [(": ", Role.PLAIN), *_operations(message.operations)]
     else:
         line.append(("no EV3 message" if message.type is None else message.type.name, Role.OPERATION))
-    if message.fault is not None:
-        line.append((f" (fault at {message.fault})", Role.FAULT))
-    return line
+    return line + _after(message, missing)
 
 
-def reply_spans(exchange: Exchange) -> Spans:
-    """Returns what a reply says: its values, or whether the command succeeded."""
+def reply_spans(exchange: Exchange, missing: int = 0) -> Spans:
+    """Returns what a reply says: its values, or whether the command succeeded. `missing` as for commands."""
     message = exchange.message
-    if message.fault is not None:
-        return [(f"fault at {message.fault}", Role.FAULT)]
+    if missing and (message.fault is None or message.fault.truncated):
+        return _result(exchange) + _after(message, missing)
+    return [(f"fault at {message.fault}", Role.FAULT)] if message.fault is not None else _result(exchange)
+
+
+def _result(exchange: Exchange) -> Spans:
+    message = exchange.message
     if message.type is not None and message.type.is_command:
         return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
@@ -284,17 +298,31 @@ def _refusal(command: Message | None) -> str | None:
     return f"{errors[0].code}: {errors[0].message}" if errors else None
 
 
-def dialogue_line(command: Message | None, reply: Exchange | None, latency: float | None) -> Spans:
-    """Returns a command and its reply, either of which may be missing, with the seconds between them."""
-    line: Spans = [("(a command that was not seen)", Role.ASIDE)] if command is None else command_spans(command)
+def dialogue_line(
+    command: Message | None,
+    reply: Exchange | None,
+    latency: float | None,
+    *,
+    of_command: int = 0,
+    of_reply: int = 0,
+) -> Spans:
+    """Returns a command and its reply, either of which may be unknown, with the seconds between them.
+
+    `of_command` and `of_reply` are the numbers of bytes at their ends that the text or the capture left out.
+    """
+    unseen: Spans = [("(a command that was not seen)", Role.ASIDE)]
+    line = unseen if command is None else command_spans(command, of_command)
     if reply is not None:
-        line += [(" -> ", Role.PLAIN), *reply_spans(reply)]
+        line += [(" -> ", Role.PLAIN), *reply_spans(reply, of_reply)]
         if latency is not None:
             line.append((f"  {latency * 1000:.3f} ms", Role.ASIDE))
         if reply.note is not None:
             line.append((f"  ({reply.note.partition(':')[0]})", Role.ASIDE))
     elif command is not None and command.wants_reply:
         line.append((" -> no reply", Role.FAULT))
+    lonely = command if reply is None else reply.message if command is None else None
+    if lonely is not None and lonely.type is not None and (lonely is not command or lonely.wants_reply):
+        line.append((f"  (counter {lonely.counter})", Role.ASIDE))
     return line
 
 

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 
 from ev3proto.dialogue import Exchange
+from ev3proto.errors import counted
 from ev3proto.messages import (
     Argument,
     DaisyCommand,
@@ -41,18 +42,21 @@ _FIRST_MOTOR = 16
 """The number of motor port A where sensors and motors are counted together."""
 
 
-def sentence(exchange: Exchange) -> str:
+def sentence(exchange: Exchange, missing: int = 0) -> str:
     """Returns what a message does, or what it answers.
 
     Args:
         exchange: The message, with what its dialogue tells about it.
+        missing: The number of bytes at its end that the text or the capture left out.
 
     Returns:
         A sentence that begins with a capital letter and ends with a full stop.
     """
     message = exchange.message
     text = "".join(_said(exchange))
-    if message.fault is not None:
+    if missing and (message.fault is None or message.fault.truncated):
+        text = f"{text or 'a frame'}; its last {counted(missing, 'byte')} are missing"
+    elif message.fault is not None:
         fault = f"wrong at offset {message.fault.offset}: {message.fault.reason.partition(': ')[0]}"
         text = f"{text}; but it is {fault}" if text else fault
     text = text or "not an EV3 message"

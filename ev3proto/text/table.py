@@ -81,7 +81,7 @@ def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
         for name, _, meaning in field_texts(message):
             if meaning:
                 yield Line([(f"{message.command} {name} = {meaning}", Role.VALUE)])
-    if message.fault is not None and not (seen.cut and message.fault.truncated):
+    if message.fault is not None and not (seen.missing and message.fault.truncated):
         yield Line([(f"fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
 
 

@@ -56,7 +56,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
             yield from _system(message, exchange.transfer, seen.unknown)
         case DaisyCommand() | DaisyReply() if not message.flaw.headless:
             yield from _daisy(message)
-    yield from _fault(message, size, seen.cut)
+    yield from _fault(message, size, is_cut=seen.missing > 0)
 
 
 def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset()) -> list[Line]:
@@ -159,14 +159,14 @@ def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:
         yield Line([(f"        payload {plain(message.payload)}", Role.PLAIN)])
 
 
-def _fault(message: Message, size: int, cut: bool) -> Iterator[Line]:
+def _fault(message: Message, size: int, *, is_cut: bool) -> Iterator[Line]:
     if message.fault is None:
         return
     if message.rest:
         shown = spaced_hex(message.rest[:_MOST_REST]) + (" ..." if len(message.rest) > _MOST_REST else "")
         spans = [("        not read: ", Role.ASIDE), (shown, Role.PLAIN), (_letters(message.rest), Role.MEANING)]
         yield Line(spans, size - len(message.rest), len(message.rest))
-    if not (cut and message.fault.truncated):
+    if not (is_cut and message.fault.truncated):
         yield Line([(f"  fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
 
 

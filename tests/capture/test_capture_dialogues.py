@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+import pytest
+from support.cli import run_ev3proto_text
 from support.messages import voltage, volts
 from support.packets import RAW_IP, Capture, Connection
 from support.reading import opened
@@ -75,3 +77,35 @@ def test_programs_that_do_not_wait_or_never_change_their_counter() -> None:
         # One lost reply of two at once: the other reply is paired with the wrong command, and has a note.
         {(10, True): 9, (12, False): 9, (12, True): 1},
     ]
+
+
+# Replies whose counters are not those of commands
+
+ASKED = "send 08 00 {} 00 00 04 00 81 01 60\n"
+ANSWERED = "recv 07 00 {} 02 A4 70 FD 40\n"
+
+
+@pytest.mark.parametrize(
+    ("counters", "sentence"),
+    [
+        ([(1, "02 00"), (2, "03 00")], "one higher than the commands'"),
+        ([(4, "03 00"), (9, "08 00")], "one lower than the commands'"),
+        ([(1, "00 00"), (2, "00 00")], "0, whatever the commands' are"),
+        ([(1, "00 01"), (2, "00 02")], "the commands' with their two bytes swapped"),
+        ([(1, "07 00"), (2, "03 00")], None),
+    ],
+)
+def test_a_dialogue_that_does_not_pair_says_why(counters: list[tuple[int, str]], sentence: str | None) -> None:
+    text = "".join(ASKED.format(f"{asked:02X}") + ANSWERED.format(given) for asked, given in counters)
+    *pairs, last = run_ev3proto_text("decode", "--dialogues", "-", stdin=text).stdout.splitlines()
+    told = [int.from_bytes(bytes.fromhex(given), "little") for _, given in counters] + [asked for asked, _ in counters]
+    found = [line.rpartition("  (counter ")[2] for line in (pairs if sentence else [*pairs, last])]
+    assert found == [f"{counter})" for counter in told]
+    assert last == f"the replies' counters are {sentence}" or sentence is None
+
+
+def test_counters_of_replies_that_fit_are_not_blamed() -> None:
+    """A reply whose command came before the log began, among others that pair."""
+    text = "".join(ASKED.format(f"{each:02X}") + ANSWERED.format(f"{each:02X} 00") for each in range(3))
+    shown = run_ev3proto_text("decode", "--dialogues", "-", stdin=ASKED.format("07") + ANSWERED.format("08 00") + text)
+    assert "counters" not in shown.stdout

@@ -169,7 +169,7 @@ def test_a_reply_may_look_like_one_of_the_bootloader_only_from_the_device() -> N
 
 
 def test_reports_cut_by_the_capture() -> None:
-    """A complete frame is read; an incomplete one is accepted only from a device that is known to be a brick."""
+    """What is cut is read if a reply proves it, or if the device is known to be a brick."""
     packets = Packets(USBMON)
     device = Device(packets)
     device.send(VOLTAGE)
@@ -177,6 +177,11 @@ def test_reports_cut_by_the_capture() -> None:
     for size in range(64 + 12):
         events, _ = opened(cut(whole, size))
         assert len(events) == (size >= 64 + len(VOLTAGE)), size
+    device.receive(VOLTS)
+    for size in range(64 + 12):
+        frames = [(each.frame, each.missing) for each in records(cut(packets.data(), size))]
+        sizes = [(min(size - 64, len(frame)), max(len(frame) - size + 64, 0)) for frame in (VOLTAGE, VOLTS)]
+        assert [(len(frame), missing) for frame, missing in frames] == (sizes if size >= 64 + 9 else []), size
     packets = Packets(USBMON)
     device = Device(packets)
     device.enumerate(LEGO, EV3)
@@ -189,8 +194,7 @@ def test_reports_cut_by_the_capture() -> None:
     events, _ = opened(pcap(USBMON, [*timed(enumeration), timed([report[:70]])[0]._replace(size=len(report))]))
     (record,) = events
     assert isinstance(record, Record)
-    assert record.frame == VOLTAGE[:6]
-    assert record.message.fault is not None
+    assert (record.frame, record.missing, record.fault) == (VOLTAGE[:6], 4, None)
 
 
 def test_only_interrupt_transfers_have_frames() -> None:

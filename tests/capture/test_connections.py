@@ -75,7 +75,7 @@ def test_labels_tell_two_bricks_apart() -> None:
         "                 #2 UI_READ.GET_VBATT(VALUE=GV(0)) -> VALUE=7.92 V",
         "A",
         f"                 #1 {ready}",
-        "                 #6 (a command that was not seen) -> ok",
+        "                 #6 (a command that was not seen) -> ok  (counter 43)",
         "B",
         "                 #5 UI_READ.GET_LBATT(PCT=GV(0)) -> PCT=100 %",
     ]
@@ -133,7 +133,7 @@ def test_labels_that_do_not_tell_bricks_apart(labels: list[str], connections: li
         # An error fits both, and what then fits none of the rest is not given the value of another.
         (
             [ANGLE, PERCENT, "0300 2a00 04", "0700 2a00 02 00004842"],
-            ["error  (the pairing is unsure)", "ok", "no reply"],
+            ["error  (the pairing is unsure)", "ok  (counter 42)", "no reply  (counter 42)"],
         ),
     ],
 )

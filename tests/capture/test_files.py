@@ -554,3 +554,35 @@ def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     done = run(CAPTURES / "wifi.pcapng", "-o", tmp_path)
     assert done.returncode == 1
     assert "cannot be written: Permission denied" in done.stderr
+
+
+# What the brick answered
+
+BEGUN = "send 1B 00 01 00 01 92 10 00 00 00 2E 2E 2F 70 72 6A 73 2F 74 65 73 74 2F 74 2E 72 62 66 00\n"
+HANDLE = "recv 06 00 01 00 03 92 00 00\n"
+PIECE = "send 15 00 02 00 {} 93 00 4C 45 47 4F 6B 00 00 00 68 00 01 00 04 00 00 00\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "outcome", "trouble", "status"),
+    [
+        (
+            PIECE.format("01"),
+            "last piece never answered",
+            ": ../prjs/test/t.rbf: 16 bytes sent, the last piece never answered\n",
+            1,
+        ),
+        (PIECE.format("01") + "recv 06 00 02 00 03 93 08 00\n", "complete", "", 0),
+        (PIECE.format("81"), "sent, no reply wanted", "", 0),
+    ],
+)
+def test_a_file_is_complete_only_if_the_brick_answered_its_last_piece(
+    text: str, outcome: str, trouble: str, status: int, tmp_path: Path
+) -> None:
+    text = BEGUN + HANDLE + text
+    shown = run_ev3proto_text("files", "--json", "-o", tmp_path, "-", stdin=text)
+    assert (json.loads(shown.stdout)["outcome"], shown.returncode) == (outcome, status)
+    assert shown.stderr.partition("line 1")[2] == trouble
+    assert list(written(tmp_path)) == ["prjs/test/t.rbf"]
+    (moved,) = json.loads(run_ev3proto_text("stats", "--json", "-", stdin=text).stdout)["transfers"]
+    assert moved["complete"] is (status == 0)

@@ -188,7 +188,7 @@ def test_dialogues_while_they_happen(capturing: str | None, ending: signal.Signa
             assert len(group(live.process.pid)) >= 3  # it, tshark, and tshark's capturing program
             live.process.send_signal(ending)
             assert live.process.wait(WITHIN) == 0
-            assert live.wait_for("no reply").endswith("UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply")
+            assert live.wait_for("no reply").endswith("UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply  (counter 9)")
             assert group(live.process.pid) == []
         live.wait_for("unlock: serial 06165300000a$")
         live.wait_for("accepted$")

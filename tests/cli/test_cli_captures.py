@@ -120,8 +120,8 @@ def test_dialogues_that_fail() -> None:
     assert lines[0] == "wifi 192.0.2.10:5555"
     assert [line[20:] for line in lines[1:]] == [
         "UI_READ.GET_VBATT(VALUE=GV(0)) -> error  1.000 ms",
-        "(a command that was not seen) -> ok",
-        "UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply",
+        "(a command that was not seen) -> ok  (counter 1)",
+        "UI_READ.GET_VBATT(VALUE=GV(0)) -> no reply  (counter 1)",
     ]
 
 

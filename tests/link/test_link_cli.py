@@ -536,7 +536,7 @@ def test_a_reply_answers_the_oldest_command_with_its_counter() -> None:
         until(lambda: len(found.shown) == 2)
     assert found.shown == [
         "OUTPUT_TEST(LAYER=0, NOS=15, BUSY=GV(0)) -> BUSY=1  (the pairing is unsure)",
-        "UI_READ.GET_LBATT(PCT=GV(0)) -> no reply",
+        "UI_READ.GET_LBATT(PCT=GV(0)) -> no reply  (counter 7)",
     ]
 
 

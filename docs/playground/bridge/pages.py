@@ -139,8 +139,10 @@ class Pages:
         asks = command is not None and command.message.wants_reply
         return [
             elapsed(first.time_ns, self.start_ns) if first.route.is_timed else "",
-            "(a command that was not seen)" if command is None else plain_text(command_spans(command.message)),
-            ("no reply" if asks else "") if reply is None else plain_text(reply_spans(reply.exchange)),
+            "(a command that was not seen)"
+            if command is None
+            else plain_text(command_spans(command.message, command.missing)),
+            ("no reply" if asks else "") if reply is None else plain_text(reply_spans(reply.exchange, reply.missing)),
             "" if latency is None else f"{latency * 1000:.3f} ms",
         ]
 

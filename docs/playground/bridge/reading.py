@@ -194,7 +194,7 @@ class Input:
             self._problem(fault)
         if written is None:
             self._frame(record, number, str(record.place), 0, carrier=str(record.carrier))
-        elif not record.is_cut:
+        elif not record.missing:
             self._frame(record, number, "" if written.is_typed else str(record.place), record.number)
 
     def _source(self, source: Source) -> None:

@@ -26,6 +26,7 @@ class StreamClaim(Claim):
     comes_back   tells which come from it
     is_sure      the conversation is claimed whatever its bytes are
     has_texts    as over TCP: the direction is known, the unlock text claims it, too, and so do replies alone
+    place        where packets are that are not claimed, as they were counted in the account
     """
 
     def __init__(
@@ -36,6 +37,7 @@ class StreamClaim(Claim):
         *,
         is_sure: bool = False,
         has_texts: bool = False,
+        place: str,
     ) -> None:
         super().__init__(
             context.schema,
@@ -46,6 +48,7 @@ class StreamClaim(Claim):
         if is_sure:
             self.to_brick = Direction.SENT
         self._account = context.account
+        self.place = place
         self._goes_out = goes_out
         self._comes_back = comes_back
         self._has_texts = has_texts
@@ -157,6 +160,7 @@ class StreamClaim(Claim):
     def _adopted(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
         """Returns the events of commands that a reply has proved."""
         self._account.other -= sum(len(piece.data) for piece in pieces)
+        self._account.count_strange(self.place, -len(pieces))
         return self._started(stream, pieces)
 
     def _begun(self, stream: Stream, pieces: list[Piece], place: int, *, is_proved: bool = False) -> list[Event]:
@@ -169,7 +173,9 @@ class StreamClaim(Claim):
                 events += [event for piece in self._waiting.pop(other) for event in self._streams[other].feed(piece)]
             self._forget(other)
         self._account.other += place
-        return events + self._counted(stream, self._started(stream, _after(pieces, place)))
+        left = _after(pieces, place)
+        self._account.count_strange(self.place, 1 - len(left))
+        return events + self._counted(stream, self._started(stream, left))
 
     def _started(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
         """Returns the events of pieces that begin with a frame."""

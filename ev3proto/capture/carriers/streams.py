@@ -11,11 +11,10 @@ from ev3proto.capture.byte_account import Account
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.framing import Cutter, PartKind, StreamPart
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import Announcement, Event, Route, Skipped, TextKind
+from ev3proto.capture.record import Announcement, Event, Record, Route, Skipped, TextKind, missing_of
 from ev3proto.errors import counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
-from ev3proto.schema.header import HEADER_SIZE, frame_size
 
 TOO_MUCH = "the rest of the frame was given up: too much is pending"
 """The reason for bytes that are given up at the memory limit."""
@@ -91,15 +90,14 @@ class Stream:
         return events
 
     def _cut_off(self, missing: int) -> list[Event]:
-        """Ends a packet that the capture has cut, and reports the missing bytes unless they belong to a cut frame."""
-        left = self.cutter.left
-        lacking = frame_size(left) - len(left) if len(left) >= HEADER_SIZE else 0
-        pieces = self.cutter.cut_off(missing)
-        events = self._events(pieces)
+        """Ends a packet that the capture has cut, and reports the missing bytes after those of the cut frame."""
+        events = self._events(self.cutter.cut_off(missing))
         self.times.clear()
-        if pieces and pieces[-1].kind is PartKind.FRAME and missing <= lacking:
-            return events
-        return self._with_missing(events, missing)
+        last = events[-1] if events else None
+        if isinstance(last, Record):
+            last.missing = missing_of(last.frame)
+            missing -= last.missing
+        return self._with_missing(events, missing) if missing > 0 else events
 
     def leave_hole(self, missing: int) -> list[Event]:
         """Reports missing bytes at this place; 0 if their number is unknown."""

@@ -202,7 +202,7 @@ NAMES = {
         "status == END_OF_FILE",
     ),
     "error": _flag(
-        lambda record: is_error(record.message) or record.message.fault is not None,
+        lambda record: is_error(record.message) or record.fault is not None,
         "a reply that reports a failed command, or a frame with a fault",
         "error",
     ),
@@ -213,7 +213,7 @@ NAMES = {
     ),
     "fault": _known(
         Kind("a text", text=True),
-        lambda record: _text(record.message.fault and record.message.fault.reason),
+        lambda record: _text(record.fault and record.fault.reason),
         "the fault of the frame, as a sentence",
         'fault contains "opcode"',
     ),
@@ -226,6 +226,12 @@ NAMES = {
         "counter == 1",
     ),
     "size": _known(_NUMBER, lambda record: (len(record.frame),), "bytes of the frame", "size > 100"),
+    "missing": _known(
+        _NUMBER,
+        lambda record: (record.missing,) if record.missing else (),
+        "bytes at the end of the frame that the capture or the text has left out",
+        "missing",
+    ),
     "packet": _known(
         _NUMBER,
         lambda record: record.numbers,

@@ -180,9 +180,9 @@ class _Collector:
         brick = self._brick(record.route)
         if self._is_inside(self._at(record)):
             self._bricks[brick].messages += 1
-        if message.fault is not None or message.type is None:
+        if record.fault is not None or message.type is None:
             heading = "faulty frame" if message.type is None else f"faulty {message.type.name}"
-            fault = "unknown message type" if message.fault is None else clean(f"at {message.fault}")
+            fault = "unknown message type" if record.fault is None else clean(f"at {record.fault}")
             details = {"fault": fault, "bytes": str(len(record.frame))}
             self._point(record, LaneKind.TROUBLE, "faulty frames", MarkState.FAULTY, heading, details)
         if record.transfer is not None:
@@ -352,7 +352,7 @@ def _subject(message: Message) -> str:
 def _exchange_details(command: Record | None, reply: Record | None) -> dict[str, str]:
     details = {}
     if command is not None:
-        details["command"] = clean(plain_text(command_spans(command.message)))
+        details["command"] = clean(plain_text(command_spans(command.message, command.missing)))
     if reply is not None:
         details["reply"] = _reply_text(reply)
     for name, record in (("command", command), ("reply", reply)):
@@ -365,7 +365,7 @@ def _exchange_details(command: Record | None, reply: Record | None) -> dict[str,
 
 
 def _reply_text(reply: Record) -> str:
-    return clean(plain_text(reply_spans(reply.exchange)))
+    return clean(plain_text(reply_spans(reply.exchange, reply.missing)))
 
 
 def _exchange_label(command: Record | None, reply: Record | None) -> str:

@@ -46,7 +46,7 @@ _SEEN: Schema = {"direction": maybe(_DIRECTION), "time": TEXT, **_PLACE}
 _LINKED: Schema = {"answers": WHOLE, "latency": maybe(NUMBER), "note": TEXT}
 """Keys of replies whose command was captured, and of frames with remarks."""
 
-_ODD: Schema = {"fault": _FAULT, "cut": FLAG, "rest": HEX}
+_ODD: Schema = {"fault": _FAULT, "cut": FLAG, "missing": WHOLE, "rest": HEX}
 """Keys of faulty frames."""
 
 _OUTCOME: Schema = {"enum": ["ok", "error"]}

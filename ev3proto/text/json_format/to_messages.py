@@ -39,7 +39,7 @@ MAX_RECORD = 1 << 22
 """Maximum characters of one object; the largest frame needs a tenth of them."""
 
 _MOST_SAID = 500
-_OUTSIDE = ("direction", "time", "values", "fault", "cut", "length")
+_OUTSIDE = ("direction", "time", "values", "fault", "cut", "missing", "length")
 """Keys that describe more than the bytes, or follow from them."""
 
 _FLOATS = ("nan", "inf", "-inf")

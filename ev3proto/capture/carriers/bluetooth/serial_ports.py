@@ -80,12 +80,13 @@ class SerialPorts:
             return
         claim = self._claims.get(found.key)
         if claim is None:
-            claim = StreamClaim(self._context, _is_command, _is_from_brick, is_sure=self._context.is_all)
+            place, is_sure = f"on RFCOMM channel {RFCOMM_CHANNEL}", self._context.is_all
+            claim = StreamClaim(self._context, _is_command, _is_from_brick, is_sure=is_sure, place=place)
             self._claims[found.key] = claim
         stream = self._stream(packet, found)
         yield from claim.feed(stream, Piece(serial.data, packet.number, packet.time_ns, serial.missing))
         if not claim.is_claimed:
-            self._account.count_strange(f"on RFCOMM channel {RFCOMM_CHANNEL}")
+            self._account.count_strange(claim.place)
         size = stream.size + claim.waiting(_side(found))
         self._context.budget.update(stream, size, lambda _: self._give_up(claim, stream))
 

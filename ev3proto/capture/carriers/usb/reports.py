@@ -11,7 +11,7 @@ from ev3proto.capture.claims import Claim
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.evidence import is_sensible
 from ev3proto.capture.packets import Packet
-from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped
+from ev3proto.capture.record import HOST, Direction, Event, Route, Skipped, missing_of
 from ev3proto.schema.header import HEADER_SIZE, frame_size, is_frame_size
 from ev3proto.tables import system
 from ev3proto.tables.carriers import USB_PRODUCTS, Carrier
@@ -28,6 +28,8 @@ MOST_DEVICES = 1024
 """Maximum number of remembered devices; no computer has more."""
 
 _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.bootloader)
+
+_STRANGE = f"with a USB report of {MAX_FRAME} bytes"
 
 OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
 
@@ -55,7 +57,7 @@ class Reports:
             if earlier is not None:
                 return [*earlier, self._event(claim, packet, found)]
             if is_big:
-                self._account.count_strange(f"with a USB report of {MAX_FRAME} bytes")
+                self._account.count_strange(_STRANGE)
         self._account.other += len(packet.data)
         return ()
 
@@ -80,8 +82,8 @@ class Reports:
         frame = found.frame
         reported = len(found.data) + packet.size - len(packet.data)
         is_big = reported == MAX_FRAME
-        is_whole = reported in REPORT_SIZES and is_frame_size(len(frame)) and len(frame) == frame_size(frame)
-        member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if is_whole else None
+        fits = reported in REPORT_SIZES and is_frame_size(frame_size(frame)) and frame_size(frame) <= reported
+        member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if fits else None
         if member is not None and (member.carries == "daisy" if not is_big else _is_overwritten(found)):
             # Bricks in a chain send commands both ways, in smaller reports than computers.
             return [] if is_sensible(self._context.schema.read_frame(frame, strict=False)) else None
@@ -93,9 +95,13 @@ class Reports:
 
         def adopt() -> list[Event]:
             self._account.other -= len(packet.data)
+            self._account.count_strange(_STRANGE, -1)
             return [self._event(claim, packet, found)]
 
-        _, _, earlier = claim.judge(found.is_from_host, frame, lambda _: adopt)
+        missing = missing_of(frame)
+        _, _, earlier = claim.judge(
+            found.is_from_host, frame, lambda _: adopt, missing=missing, needs_reply=missing > 0
+        )
         return earlier if claim.is_claimed else None
 
     def _event(self, claim: Claim, packet: Packet, found: Urb) -> Event:
@@ -120,6 +126,8 @@ class Reports:
             record.note = OVERWRITTEN
             return record
         record = conversation.record(frame, (packet.number,), packet.time_ns, route)
+        if len(packet.data) < packet.size:
+            record.missing = missing_of(frame)
         claim.count((record,))
         return record
 

@@ -27,12 +27,13 @@ from ev3proto.capture.carriers.wifi.internet import (
     usual_transport,
 )
 from ev3proto.capture.carriers.wifi.tcp import Hole, Late, Reassembly
+from ev3proto.capture.evidence import is_plausible
 from ev3proto.capture.framing import Cutter
 from ev3proto.capture.packets import Interface, Packet
 from ev3proto.capture.record import Announcement, Direction, Event, Route, TextKind
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Beacon, is_beacon
-from ev3proto.schema.header import HEADER_SIZE, unpack_header
+from ev3proto.schema.header import HEADER_SIZE, frame_end, unpack_header
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import ACCEPT, BEACON_PORT, TCP_PORT, UNLOCK_REQUEST
 from ev3proto.tables.frame import MessageType
@@ -71,13 +72,15 @@ def _transport(link: int, data: bytes) -> Transport | None:
 class _Connection:
     """A TCP connection: its conversation, its claim, and the directions seen so far."""
 
-    __slots__ = ("claim", "conversation", "ends", "halves", "place")
+    __slots__ = ("claim", "conversation", "ends", "halves")
 
     def __init__(self, ends: Ends, port: bytes, context: Context, *, is_sure: bool) -> None:
         self.ends = ends
-        self.place = f"on TCP port {int.from_bytes(port, 'big')}"
         self.conversation = context.conversation()
-        self.claim = StreamClaim(context, _may_go_to_brick, _may_come_from_brick, is_sure=is_sure, has_texts=True)
+        place = f"on TCP port {int.from_bytes(port, 'big')}"
+        self.claim = StreamClaim(
+            context, _may_go_to_brick, _may_come_from_brick, is_sure=is_sure, has_texts=True, place=place
+        )
         self.halves: dict[Ends, _Half] = {}
 
 
@@ -168,6 +171,12 @@ class Connections:
         self._elsewhere.add(both, target)
         return True
 
+    def _is_command(self, data: bytes) -> bool:
+        """Returns whether a segment is a command that a program would send to a brick."""
+        if len(data) <= HEADER_SIZE or frame_end(data) != len(data):
+            return False
+        return is_plausible(self._context.schema.read_frame(data, strict=False), self._context.schema)
+
     def _is_to_brick(self, ends: Ends, data: bytes, flags: int) -> bool:
         """Returns whether the first captured segment of a connection goes to the brick, which never opens one."""
         is_target, is_source = target_port(ends) in self._ports, source_port(ends) in self._ports
@@ -185,6 +194,8 @@ class Connections:
         assert flags is not None
         if half is None and not self._is_ours(ends, data):
             self._account.other += len(packet.data)
+            if self._is_command(data):
+                self._account.count_elsewhere(int.from_bytes(target_port(ends), "big"))
             return ()
         self._account.headers += len(packet.data) - len(data)
         events: list[Event] = []
@@ -240,7 +251,7 @@ class Connections:
             events = self._given(half, reassembly.add(sequence, piece))
             is_waiting = True
         if not half.claim.is_claimed:
-            self._account.count_strange(half.connection.place)
+            self._account.count_strange(half.claim.place)
         if is_waiting or half.size:
             self._weigh(half)
         return events

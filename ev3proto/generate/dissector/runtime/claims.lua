@@ -178,6 +178,7 @@ do
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
         local is_ended = conversation.state == "ended"
         local found, place = finding.find_command(text, starts, packet.begins, packet.reported, is_ended)
+        if found == CHAIN and packet.needs_reply then found = SINGLE end
         if found == CHAIN then
             claiming.begin(conversation)
             conversation.side_to_brick = side

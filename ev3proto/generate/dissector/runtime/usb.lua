@@ -102,7 +102,7 @@ do
         local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
         local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
         if sort and type and (sort == "computer" or type.carries == "daisy")
-            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= captured then
+            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= tvb:reported_len() then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
@@ -117,7 +117,8 @@ do
         if claiming.is_claimed(conversation) then return message end
         local offset, text = offset_of(tvb), message.text
         local found = claiming.judge(conversation, pinfo, {
-            side = from_host, text = text, starts = { 0 }, reported = #text, begins = is_command,
+            side = from_host, text = text, starts = { 0 }, reported = message.size, begins = is_command,
+            needs_reply = #text < message.size,
             adopt = function()
                 taken[number] = true
                 return offset

@@ -3011,6 +3011,7 @@ do
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
         local is_ended = conversation.state == "ended"
         local found, place = finding.find_command(text, starts, packet.begins, packet.reported, is_ended)
+        if found == CHAIN and packet.needs_reply then found = SINGLE end
         if found == CHAIN then
             claiming.begin(conversation)
             conversation.side_to_brick = side
@@ -3583,7 +3584,7 @@ do
         local header = bytes_of(tvb, 0, math.min(captured, HEADER_SIZE))
         local type = MESSAGE_TYPES[byte(header, HEADER_SIZE)]
         if sort and type and (sort == "computer" or type.carries == "daisy")
-            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= captured then
+            and is_usual_length(reading.unsigned16(header, 0)) and stop_of(header, 0) <= tvb:reported_len() then
             message = read_report(tvb)
             -- Bricks in a chain send commands both ways, in smaller reports than computers.
             if sort == "daisy" or is_overwritten(message, pinfo) then
@@ -3598,7 +3599,8 @@ do
         if claiming.is_claimed(conversation) then return message end
         local offset, text = offset_of(tvb), message.text
         local found = claiming.judge(conversation, pinfo, {
-            side = from_host, text = text, starts = { 0 }, reported = #text, begins = is_command,
+            side = from_host, text = text, starts = { 0 }, reported = message.size, begins = is_command,
+            needs_reply = #text < message.size,
             adopt = function()
                 taken[number] = true
                 return offset
@@ -4379,4 +4381,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 5a114ba0290cde11
+-- Checksum of the lines above, by which a changed file is recognised: a7aed510c0c12405

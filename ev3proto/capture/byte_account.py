@@ -14,7 +14,7 @@ _MOST_PORTS = 64
 """Maximum number of other TCP ports whose packets are counted."""
 
 _TELLING = 2
-"""Number of commands on another port that are no coincidence."""
+"""Number of commands on another port that cannot be coincidence."""
 
 
 @dataclass(slots=True)

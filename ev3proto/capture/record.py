@@ -9,7 +9,7 @@ from enum import StrEnum
 from typing import Any, NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
-from ev3proto.errors import DecodeError, Error
+from ev3proto.errors import Error, Fault
 from ev3proto.messages import Message
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import FrameReader
@@ -259,7 +259,7 @@ class Record:
         return self.written is not None and self.written.column is not None
 
     @property
-    def fault(self) -> DecodeError | None:
+    def fault(self) -> Fault | None:
         """What is wrong with the frame, unless only its end is missing here."""
         fault = self.message.fault
         return None if fault is None or (self.missing and fault.truncated) else fault

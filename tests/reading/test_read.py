@@ -114,9 +114,9 @@ def test_what_a_text_says_besides_bytes() -> None:
     (record,) = records(["08 00 xx xx 00 04 00 81 01 60\n"])
     assert record.unknown == {2, 3}
     (record,) = records([frame])
-    assert (record.rest, record.is_cut) == (bytes(2), False)
+    assert (record.rest, record.missing) == (bytes(2), 0)
     (record,) = records(["sent 0e 00 2a 00 80 00 00 94 01 01 82 ...\n"])
-    assert record.is_cut
+    assert record.missing == 5
 
 
 def test_a_program_and_sources(tmp_path: Path) -> None:

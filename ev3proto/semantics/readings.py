@@ -6,10 +6,8 @@ from collections.abc import Sequence
 
 from ev3proto.messages import Argument
 from ev3proto.semantics.footprint import whole_number
-from ev3proto.tables.declaration import Role
+from ev3proto.tables.declaration import READINGS, Role
 from ev3proto.tables.devices import DEVICE_TYPES, Dataset
-
-_READINGS = (Role.SI_READING, Role.RAW_READING)
 
 
 def dataset_of(arguments: Sequence[Argument], number: int) -> Dataset | None:
@@ -24,7 +22,7 @@ def dataset_of(arguments: Sequence[Argument], number: int) -> Dataset | None:
         that is not in the unit.
     """
     role = arguments[number].parameter.role
-    if role not in _READINGS or arguments[number].parameter.is_list or arguments[number].form.handle:
+    if role not in READINGS or arguments[number].parameter.is_list or arguments[number].form.handle:
         return None
     named = {argument.name: whole_number(argument) for argument in arguments}
     device, mode_number = DEVICE_TYPES.get(named.get("TYPE") or 0), named.get("MODE")

@@ -78,6 +78,9 @@ class Role(Enum):
     PUBLIC = "a text or list that says nothing about its owner: names of devices and modes, units, versions"
 
 
+READINGS = (Role.SI_READING, Role.RAW_READING)
+
+
 class Effect(Enum):
     """A side effect of an operation or system command that its parameters do not show. The value completes "it ...".
 
@@ -432,6 +435,11 @@ class Declaration:
         if last is None or not last.is_list:
             return None
         return Tail(self.fixed[-1], last.listed, last.element if isinstance(last.element, str) else None)
+
+    @cached_property
+    def has_readings(self) -> bool:
+        """Whether it receives readings of a device."""
+        return any(parameter.role in READINGS for parameter in self.parameters)
 
     @property
     def is_jump(self) -> bool:

@@ -74,10 +74,11 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
         lines.append(Line(spans, cmd.offset, cmd.length))
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
+    has_readings = operation.declaration.has_readings
     for number, argument in enumerate(arguments):
         parameter, offset = argument.parameter, argument.offset
         meaning = argument_meaning(argument)
-        dataset = dataset_of(arguments, number)
+        dataset = dataset_of(arguments, number) if has_readings else None
         if unknown and not unknown.isdisjoint(range(offset, offset + argument.length)):
             value, meaning = "?", ""
         else:

@@ -145,6 +145,11 @@ def test_what_cannot_be_declared(declared: dict[str, Any], message: str) -> None
         Brick().plug(1, declared)
 
 
+def test_a_type_is_a_number_or_a_declaration() -> None:
+    with pytest.raises(ValueError, match="a type is a number, or a table that declares a device, not 'TYPE_TOUCH'"):
+        Brick().plug(1, "TYPE_TOUCH")  # type: ignore[arg-type]
+
+
 def test_only_sensors_can_be_declared() -> None:
     with pytest.raises(DeclarationError, match=r"device\.modes: only sensors can be declared, on the ports 1 to 4"):
         Brick().plug("A", OWN)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ev3proto.brick.conversions import single
-from ev3proto.brick.declared import declared_device, table
+from ev3proto.brick.declared import declared_device
 from ev3proto.brick.devices.motors import Motor, Outputs
 from ev3proto.brick.parts import Part
 from ev3proto.brick.plugs import PORT_NAMES, port_name
@@ -185,7 +185,9 @@ class Inputs(Part):
         """Returns a type by its number, or one that is declared, as it is known from now on. Raises ValueError."""
         if isinstance(type, int):
             return self._types.get(type, _UNKNOWN)
-        found = type if isinstance(type, DeviceType) else declared_device("device", table("device", type), port)
+        if not isinstance(type, Mapping | DeviceType):
+            raise ValueError(f"a type is a number, or a table that declares a device, not {type!r}")
+        found = type if isinstance(type, DeviceType) else declared_device("device", type, port)
         self._types[found.number] = found
         return found
 

@@ -146,7 +146,7 @@ def operation_record(operation: Operation) -> dict[str, Any]:
         "length": operation.length,
         "args": [_argument(argument) for argument in operation.arguments],
     }
-    if operation.has_outputs:
+    if operation.declaration.has_readings:
         _name_readings(operation, entry["args"])
     cmd = operation.cmd if operation.is_complete else None
     if cmd is not None and cmd.length > 1:

@@ -134,6 +134,9 @@ OPERATIONS = "these are operations without the header of a frame: --operations r
         "[-92, 0, 1, -127, 50, -90, 0, 1]",
         "byte[] ops = {(byte) 0xA4, 0, 1, (byte) 0x81, 50, (byte) 0xA6, 0, 1};",
         "bytes([164, 0, 1, 129, 50, 166, 0, 1])",
+        "164, 0, 1, 129, 50, 166, 0, 1",
+        "164 0 1 129 50 166 0 1",
+        r"b'\xa4\x00\x01\x812\xa6\x00\x01'",
         "A4 00 01 81 32 A6 00 01",
     ],
 )
@@ -143,7 +146,15 @@ def test_operations_without_a_header_are_named_in_every_notation(text: str) -> N
 
 
 @pytest.mark.parametrize(
-    "text", ["[0, 1, 1, 2, 3, 5, 8, 13]", "[10, 20, 30, 40]", "x = [2, 2, 2, 3, 3, 1, 8]", "5 10 15 20 9"]
+    "text",
+    [
+        "[0, 1, 1, 2, 3, 5, 8, 13]",
+        "[10, 20, 30, 40]",
+        "x = [2, 2, 2, 3, 3, 1, 8]",
+        "5 10 15 20 9",
+        "192, 168, 0, 1",
+        "130 140 150 160 170",
+    ],
 )
 def test_other_lists_are_not_operations(text: str) -> None:
     assert [piece.problem for piece in read_text([f"{text}\n"]) if piece.problem] == []

@@ -217,10 +217,11 @@ def told(row: Row) -> str | None:
         return None
     first, data = run.elements[0], part.data
     before = row.line[: first.start].rstrip().removesuffix("(byte)").rstrip()
-    is_listed = max(data) > 0x7F and before.endswith(("[", "{", "(", "<<"))
+    # Low numbers are often something else.
+    is_listed = max(data) > 0x7F and (not before or before.endswith(("[", "{", "(", "<<")))
     if not is_listed and not _is_data(row, run):
         return None
-    is_dull = first.kind == "string" or (len(run.elements) > 1 and len({*data}) < LEAST - 1)
+    is_dull = (first.kind == "string" and max(data) <= 0x7F) or (len(run.elements) > 1 and len({*data}) < LEAST - 1)
     return strange_bytes(data) or (None if is_dull or _is_digest(part, data) else bare_reason(data))
 
 

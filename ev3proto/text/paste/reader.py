@@ -25,6 +25,10 @@ from ev3proto.text.paste.repairs import Repaired, may_be_mended, repaired
 from ev3proto.text.paste.runs import AROUND, Part, Row, Run, of_rows, openings
 from ev3proto.text.paste.strangers import strange_text
 
+_CHARACTERS = r"(?:[2-7][\da-fA-F][\W_]{0,2}(?:0x)?){8}|(?:(?:3[2-9]|[4-9]\d|1[01]\d|12[0-6])[\s,]{1,2}){8}"
+"""The characters of a text, in hex or decimal."""
+_HAS_CHARACTERS = re.compile(_CHARACTERS)
+
 _GATE = re.compile(
     r"""
     # An element from 0 to 3, the second byte of every frame; or a group of digits with it, or that begins with it.
@@ -33,11 +37,12 @@ _GATE = re.compile(
   | 0x0[0-3]0x | [\da-fA-F]{2}\.0[0-3]\.
     # A download, which may be longer than other frames: its type and its command.
   | [\da-fA-F]{2}[\W_]?[08]1[\W_]?9[\da-fA-F]
-    # The characters of digits, in hex and decimal; full-width digits.
-  | (?:[2-7][\da-fA-F][\W_]{0,2}(?:0x)?){8} | (?:(?:3[2-9]|[4-9]\d|1[01]\d|12[0-6])[\s,]{1,2}){8} | [\uff10-\uff13]
+    # Full-width digits.
+  | [\uff10-\uff13]
     # An escape, the lesson's mark, an unknown byte, base64.
   | \\ | 0[xX]\| | (?<!\w)(?:[xX]{2}|MM) | (?<![\w+/-])[\w+/-][AQgw][A-P][\w+/-]{5}
-    """,
+  | """
+    + _CHARACTERS,
     re.VERBOSE,
 )
 """What a line with a frame, or with its start, has."""
@@ -260,7 +265,7 @@ class Reader:
         if mended is not None:
             yield self._mended(row, mended, above)
             return
-        said = spelt(row.of_line()) if reading is None and row.elements else None
+        said = spelt(row.of_line()) if reading is None and _HAS_CHARACTERS.search(row.line) else None
         one = near(row.of_line(), [row]) if reading is None and said is None else None
         if reading is None and one is None:
             if ended is not None and (rest := _below(row, *ended)) is not None:

@@ -28,13 +28,16 @@ SIZE = (1200, 1250)
 """Pixels of the browser's window."""
 _SHOWN = """
 const options = new Set([...document.querySelectorAll("option")].map((each) => each.text));
-const lines = document.querySelector("main").innerText.split("\\n");
-return lines.filter((line) => line.trim() && !options.has(line)).map((line) => `${line}\\n`).join("");
+const lines = document.getElementById("desk").innerText.split("\\n").filter((line) => !options.has(line));
+// What follows is below the picture, and comes later.
+lines.length = lines.indexOf("Dialogue");
+const chosen = [...document.querySelectorAll("select")].map((each) => each.selectedOptions[0].text);
+return [...lines, ...chosen].filter((line) => line.trim()).map((line) => `${line}\\n`).join("");
 """
 
 
 def open_playground(page: Page) -> str:
-    """Opens the playground with a frame that a brick refuses. Returns its text, without the choices of lists."""
+    """Opens the playground with a frame that a brick refuses. Returns its text; of lists, what is chosen."""
     page.open(f"#text={quote(FRAME)}")
     page.wait(lambda: "help:" in page.text("findings") and page.texts("#remedies button") and page.text("sentence"))
     page.wait(lambda: page.text("status") == "")

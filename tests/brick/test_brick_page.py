@@ -216,6 +216,16 @@ def _look(browser: Chrome, brick: Served, client: Client) -> None:
     wait.until(lambda _: brick.now.brick.equipment.inputs.plugged()[3].raw() == 2000 and touch.text == "pressed")
     ActionChains(browser).release().perform()
     wait.until(lambda _: brick.now.brick.equipment.inputs.plugged()[3].raw() == 1000 and touch.text == "not pressed")
+    # A sensor that is declared: its title, the name of its value, and what is set there.
+    mode = {"name": "HEADING", "format": "DATA_16", "raw": (0, 359), "symbol": "deg", "values": ["heading"]}
+    brick.now.brick.plug(3, {"type": 62, "title": "I2C compass", "modes": [mode]}, {0: (90,)})
+    label = "Port 3, HEADING, heading"
+    compass = wait.until(lambda _: browser.find_element(By.CSS_SELECTOR, f"[aria-label='{label}']"))
+    wait.until(lambda _: "90 degrees" in browser.find_element(By.ID, "sensors").text)
+    chosen = browser.find_element(By.CSS_SELECTOR, "[aria-label='Port 3'] option:checked")
+    assert chosen.text == "I2C compass"
+    browser.execute_script(drag.replace("77", "270"), compass)
+    wait.until(lambda _: brick.now.brick.equipment.inputs.plugged()[3].raw() == 270)
     assert not scrolls_sideways(browser)
 
     # Lines that do not match are hidden; a name is shown as text.

@@ -7,24 +7,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 from ev3proto.errors import near_misses
-from ev3proto.tables.devices import DEVICE_TYPES, PERCENT, UNITS, Dataset, DeviceType, Mode, Range
+from ev3proto.tables.declaration import Enumeration
+from ev3proto.tables.devices import DEVICE_TYPES, UNITS, Dataset, DeviceType, Mode, Range
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, TYPE
 
-T = TypeVar("T")
+Read = Callable[[str, Any], Any]
+"""Returns what a value means, given its key for messages. Raises DeclarationError."""
 
-CONNECTIONS = ("CONN_INPUT_UART", "CONN_NXT_IIC", "CONN_INPUT_DUMB", "CONN_NXT_DUMB", "CONN_NXT_COLOR")
-"""How a sensor can be connected; the first one is the default."""
-
-FORMATS = ("DATA_8", "DATA_16", "DATA_32", "DATA_F")
-"""The formats of raw values."""
-
-MOST_NUMBER = 124
-MOST_MODES = MOST_DATASETS = 8
-MOST_NAME, MOST_SYMBOL, MOST_TITLE = 11, 4, 40
-MOST_FIGURES, MOST_SETTLING = 15, 5000
+_CONNECTIONS = ("CONN_INPUT_UART", "CONN_NXT_IIC", "CONN_INPUT_DUMB", "CONN_NXT_DUMB", "CONN_NXT_COLOR")
+_FORMATS = ("DATA_8", "DATA_16", "DATA_32", "DATA_F")
+_MOST_NUMBER = 124
+_MOST_MODES = _MOST_DATASETS = 8
+_MOST_NAME, _MOST_SYMBOL, _MOST_TITLE = 11, 4, 40
+_MOST_FIGURES, _MOST_SETTLING = 15, 5000
 
 
 class DeclarationError(ValueError):
@@ -69,64 +67,41 @@ def declared_device(where: str, entry: Mapping[str, Any], port: int | str) -> De
     Raises:
         DeclarationError: A key is missing, unknown or wrong.
     """
-    known_keys(where, entry, ("type", "title", "connection", "settling", "modes", "readings"), ("type", "modes"))
     if isinstance(port, str):
         raise DeclarationError(f"{where}.modes: only sensors can be declared, on the ports 1 to 4")
-    modes = entry["modes"]
-    if not isinstance(modes, Sequence) or not 1 <= len(modes) <= MOST_MODES:
-        raise DeclarationError(f"{where}.modes must be a list of 1 to {MOST_MODES} tables")
-    kind = _type(f"{where}.type", entry["type"])
-    return DeviceType(
-        kind,
-        _optional(where, entry, "title", _text(MOST_TITLE), f"declared type {kind}"),
-        CONN.members[_optional(where, entry, "connection", _one_of(CONNECTIONS), CONNECTIONS[0])],
-        len(modes),
-        tuple(_mode(f"{where}.modes.{at}", table(f"{where}.modes.{at}", mode)) for at, mode in enumerate(modes)),
-        _optional(where, entry, "settling", _whole(0, MOST_SETTLING), 0),
-    )
+    found = _checked(where, entry, _DEVICE, ("type", "modes"))
+    kind = found.pop("type")
+    usual: dict[str, Any] = {"title": f"declared type {kind}", "connection": CONN.members[_CONNECTIONS[0]]}
+    return DeviceType(**usual | found, number=kind, views=len(found["modes"]))
 
 
-def _optional(where: str, entry: Mapping[str, Any], key: str, read: Callable[[str, Any], T], default: T) -> T:
-    return read(f"{where}.{key}", entry[key]) if key in entry else default
+def _checked(where: str, entry: Any, readers: Mapping[str, Read], needed: Sequence[str]) -> dict[str, Any]:
+    """Returns the values of a table as they are meant, by key."""
+    known_keys(where, table(where, entry), tuple(readers), needed)
+    return {key: readers[key](f"{where}.{key}", value) for key, value in entry.items()}
 
 
-_MODE_KEYS = ("name", "format", "raw", "si", "percent", "symbol", "values", "datasets", "figures", "decimals")
-
-
-def _mode(where: str, entry: Mapping[str, Any]) -> Mode:
-    known_keys(where, entry, _MODE_KEYS, ("name", "format", "raw"))
-    raw = _range(f"{where}.raw", entry["raw"])
-    symbol = _optional(where, entry, "symbol", _text(MOST_SYMBOL), "")
-    names: tuple[str, ...] = _optional(where, entry, "values", _names, ())
+def _mode(where: str, entry: Any) -> Mode:
+    found = _checked(where, entry, _MODE, ("name", "format", "raw"))
+    symbol, names = found.get("symbol", ""), found.get("values", ())
+    count = found.setdefault("datasets", len(names) or 1)
+    if names and count != len(names):
+        raise DeclarationError(f"{where}.datasets is {count}, but values has {len(names)} names")
     values = tuple(Dataset(name, UNITS.get(symbol, symbol)) for name in names)
-    count = _optional(where, entry, "datasets", _whole(1, MOST_DATASETS), len(values) or 1)
-    if values and count != len(values):
-        raise DeclarationError(f"{where}.datasets is {count}, but values has {len(values)} names")
-    return Mode(
-        _text(MOST_NAME)(f"{where}.name", entry["name"]),
-        count,
-        DATA_FORMAT.members[_one_of(FORMATS)(f"{where}.format", entry["format"])],
-        _optional(where, entry, "figures", _whole(1, MOST_FIGURES), 4),
-        _optional(where, entry, "decimals", _whole(0, MOST_FIGURES), 0),
-        raw,
-        _optional(where, entry, "si", _range, raw),
-        symbol,
-        _optional(where, entry, "percent", _range, PERCENT),
-        values,
-    )
+    return Mode(**{"figures": 4, "decimals": 0, "si": found["raw"]} | found | {"values": values})
 
 
 def _type(where: str, value: Any) -> int:
     found = TYPE.members.get(value) if isinstance(value, str) else value
-    if isinstance(found, bool) or not isinstance(found, int) or not 1 <= found <= MOST_NUMBER:
-        raise DeclarationError(f"{where}: unknown type {value!r}; expected 1 to {MOST_NUMBER}, or a name of TYPE")
-    table_entry = DEVICE_TYPES.get(found)
-    if table_entry is not None and table_entry.is_output:
-        raise DeclarationError(f"{where}: {found} is the type of a motor: {table_entry.title}")
+    if isinstance(found, bool) or not isinstance(found, int) or not 1 <= found <= _MOST_NUMBER:
+        raise DeclarationError(f"{where}: unknown type {value!r}; expected 1 to {_MOST_NUMBER}, or a name of TYPE")
+    known = DEVICE_TYPES.get(found)
+    if known is not None and known.is_output:
+        raise DeclarationError(f"{where}: {found} is the type of a motor: {known.title}")
     return found
 
 
-def _text(most: int) -> Callable[[str, Any], str]:
+def _text(most: int) -> Read:
     def read(where: str, value: Any) -> str:
         if isinstance(value, str) and 0 < len(value) <= most and value.isprintable() and max(value) <= "\xff":
             return value
@@ -135,7 +110,7 @@ def _text(most: int) -> Callable[[str, Any], str]:
     return read
 
 
-def _whole(least: int, most: int) -> Callable[[str, Any], int]:
+def _whole(least: int, most: int) -> Read:
     def read(where: str, value: Any) -> int:
         if isinstance(value, int) and not isinstance(value, bool) and least <= value <= most:
             return value
@@ -144,10 +119,10 @@ def _whole(least: int, most: int) -> Callable[[str, Any], int]:
     return read
 
 
-def _one_of(names: Sequence[str]) -> Callable[[str, Any], str]:
-    def read(where: str, value: Any) -> str:
+def _member(enumeration: Enumeration, names: Sequence[str]) -> Read:
+    def read(where: str, value: Any) -> int:
         if value in names:
-            return str(value)
+            return enumeration.members[value]
         hint = near_misses(value, names) if isinstance(value, str) else ""
         expected = f"; expected one of {', '.join(names)}"
         raise DeclarationError(f"{where}: unknown name {value!r}{hint or expected}")
@@ -155,10 +130,13 @@ def _one_of(names: Sequence[str]) -> Callable[[str, Any], str]:
     return read
 
 
-def _names(where: str, value: Any) -> tuple[str, ...]:
-    if not isinstance(value, list | tuple) or not 1 <= len(value) <= MOST_DATASETS:
-        raise DeclarationError(f"{where} must be a list of 1 to {MOST_DATASETS} names")
-    return tuple(_text(MOST_TITLE)(f"{where}.{at}", name) for at, name in enumerate(value))
+def _listed(most: int, what: str, each: Read) -> Read:
+    def read(where: str, value: Any) -> tuple[Any, ...]:
+        if not isinstance(value, list | tuple) or not 1 <= len(value) <= most:
+            raise DeclarationError(f"{where} must be a list of 1 to {most} {what}")
+        return tuple(each(f"{where}.{at}", one) for at, one in enumerate(value))
+
+    return read
 
 
 def _range(where: str, value: Any) -> Range:
@@ -168,3 +146,25 @@ def _range(where: str, value: Any) -> Range:
     if least == most:
         raise DeclarationError(f"{where} must be two different numbers")
     return Range(least, most)
+
+
+_MODE: dict[str, Read] = {
+    "name": _text(_MOST_NAME),
+    "format": _member(DATA_FORMAT, _FORMATS),
+    "raw": _range,
+    "si": _range,
+    "percent": _range,
+    "symbol": _text(_MOST_SYMBOL),
+    "values": _listed(_MOST_DATASETS, "names", _text(_MOST_TITLE)),
+    "datasets": _whole(1, _MOST_DATASETS),
+    "figures": _whole(1, _MOST_FIGURES),
+    "decimals": _whole(0, _MOST_FIGURES),
+}
+_DEVICE: dict[str, Read] = {
+    "type": _type,
+    "title": _text(_MOST_TITLE),
+    "connection": _member(CONN, _CONNECTIONS),
+    "settling": _whole(0, _MOST_SETTLING),
+    "modes": _listed(_MOST_MODES, "tables", _mode),
+}
+"""The keys of a mode and of a device, which are the names of their fields but for `type`."""

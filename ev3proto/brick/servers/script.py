@@ -146,7 +146,7 @@ class _Reading:
         port = _port(where, name)
         entry = table(where, found)
         if "modes" in entry:
-            self.types[port] = declared_device(where, entry, port)
+            self.types[port] = declared_device(where, {key: entry[key] for key in entry if key != "readings"}, port)
         else:
             known_keys(where, entry, ("type", "readings", "modes"), ("type",))
             self.types[port] = _type(f"{where}.type", entry["type"])

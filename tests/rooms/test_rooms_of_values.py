@@ -1,6 +1,7 @@
 """All who judge a constant are asked about the same ones, and agree: no part of the project drifts from the others.
 
-What each says is a row of `ROOMS`, by what is wrong with it. Where they rightly differ, the row has the reason.
+What each says is a row of `ROOMS`, by what is wrong with it. Where they rightly differ, the row has the reason. The
+validator (`checking/verdict.py`) and lmsasm's types (`text/assembly/objects.py`) are other questions, with other tests.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from ev3proto.capture.evidence import is_plausible
 from ev3proto.dialogue import Exchange
 from ev3proto.schema.argument import ArgumentSchema
 from ev3proto.schema.frame import frame_reader
-from ev3proto.semantics.drafts.functions import draft
+from ev3proto.semantics.drafts.functions import drafts
 from ev3proto.semantics.facts import facts_of, operation_facts
 from ev3proto.semantics.judgement import Wrong, judge, judged
 from ev3proto.semantics.likelihood import CommandCode
@@ -110,7 +111,7 @@ def test_check(constant: Constant, wrong: Wrong | None) -> None:
 def _refusal(constant: Constant, *, unchecked: bool = False) -> str:
     """Returns what `ops` says against the constant; empty if it takes it."""
     try:
-        draft(constant.schema, constant.given, unchecked=unchecked)
+        drafts(constant.dialect)[constant.schema.declaration.name].draft(constant.given, unchecked)
     except BuildError as error:
         return str(error)
     return ""

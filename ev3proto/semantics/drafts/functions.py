@@ -8,6 +8,7 @@ same one.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
@@ -19,7 +20,7 @@ from ev3proto.schema.instructions import OperationSchema, instruction_set
 from ev3proto.semantics.domain import domain_of
 from ev3proto.semantics.drafts.draft import OMITTED, STAND_IN, Draft, Open
 from ev3proto.semantics.drafts.placeholders import NO_DISTANCE, Label, Need, Placeholder
-from ev3proto.semantics.facts import ParameterFacts, facts_of, operation_facts
+from ev3proto.semantics.facts import ParameterFacts, operation_facts
 from ev3proto.semantics.footprint import Footprint, footprints, inline_arrays
 from ev3proto.semantics.judgement import Judgement, Wrong, judge, judged
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type
@@ -65,6 +66,9 @@ _SENTENCES = {
     Wrong.LONG: "{name} has {size} characters; the firmware accepts at most {most}",
 }
 """What `ops` and the assembler say of a value; of others, which numbers are legal."""
+
+_OF_FLOATS = range(1 << 128)
+"""Whole numbers that a float may be."""
 
 _LEFT_TO_ENCODING = (Wrong.TEXT, Wrong.NUMBER, Wrong.NAN_FLOAT)
 """The encoder refuses these with the names of an enumeration; a float may be sent that is not a number."""
@@ -140,7 +144,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     """
     declaration = schema.declaration
     try:
-        flat = schema.one_by_one(_in_order(declaration, values, unchecked))
+        flat = schema.one_by_one(_in_order(schema, values, unchecked))
         places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
         label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
         operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
@@ -166,16 +170,17 @@ def _standing(value: Any) -> Any:
     return value
 
 
-def _in_order(declaration: Declaration, values: Sequence[Any], unchecked: bool) -> list[Any]:
+def _in_order(schema: OperationSchema, values: Sequence[Any], unchecked: bool) -> list[Any]:
     """Returns one value for each parameter: a list is a list, omitted outputs are marked, an omitted count is None."""
     found: list[Any] = []
+    declaration, facts = schema.declaration, operation_facts(schema)
     for number, (parameter, value) in enumerate(zip(declaration.parameters, values, strict=True)):
         if value is REQUIRED:
             raise TypeError(f"{declaration.name} also needs {parameter.name}")
         if parameter.is_list:
             found.append(_elements(parameter, value))
         elif value is not None:
-            check_constant(parameter, value, unchecked=unchecked)
+            _check_constant(facts.of(number, parameter), value, unchecked=unchecked)
             found.append(value)
         elif may_be_omitted(declaration, number):
             found.append(OMITTED if parameter.direction is Direction.OUT else None)
@@ -200,22 +205,30 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
     return [OMITTED if element is None else element for element in value]
 
 
-def check_constant(parameter: Parameter, value: Any, *, unchecked: bool = False) -> None:
+def _check_constant(known: ParameterFacts, value: Any, *, unchecked: bool = False) -> None:
     """Refuses an illegal constant, or with `unchecked` only an unknown name. Raises BuildError."""
+    parameter = known.parameter
     if parameter.enum is not None:
         _check_name(parameter, value)
     if isinstance(value, MotorPorts | MotorPort | SensorPort):
         _check_port(parameter, value)
     if parameter.role is Role.JUMP and isinstance(value, str):
         raise BuildError(f"{parameter.name} takes a number, a variable or {Label(value or 'again')!r}, not {value!r}")
-    if unchecked or not isinstance(value, int | float | str):
-        return
+    if not unchecked and isinstance(value, int | float | str) and parameter.direction is not Direction.OUT:
+        _check_meaning(known, value)
+
+
+def _check_meaning(known: ParameterFacts, value: float | str) -> None:
+    """Refuses a constant that means nothing to the brick."""
+    parameter = known.parameter
     number = parameter.number_of(value) if isinstance(value, str) else value
-    meant = value if number is None else float(number) if parameter.type is Type.DATAF else number
-    judgement = judge(facts_of(parameter), TEXT if isinstance(meant, str) else CONSTANT, meant)
-    if judgement is None or judgement.wrong in _LEFT_TO_ENCODING or parameter.direction is Direction.OUT:
+    meant = value if number is None else number
+    if parameter.type is Type.DATAF and isinstance(meant, int):
+        meant = float(meant) if abs(meant) in _OF_FLOATS else math.inf
+    judgement = judge(known, TEXT if isinstance(meant, str) else CONSTANT, meant)
+    if judgement is None or judgement.wrong in _LEFT_TO_ENCODING:
         return
-    sentence = _sentence(judgement, parameter.name)
+    sentence = _sentence(judgement._replace(value=value), parameter.name)
     try:
         shortest(parameter, value)
     except BuildError:
@@ -267,13 +280,13 @@ class _Constants(dict[Any, bytes]):
     def __init__(self, schema: ArgumentSchema, facts: ParameterFacts) -> None:
         super().__init__()
         self._schema = schema
-        self._legal = facts.legal
+        self._facts = facts
 
     def __missing__(self, value: Any) -> bytes:
         is_number = type(value) is int
         try:
-            if not is_number or value not in self._legal:
-                check_constant(self._schema.parameter, value)
+            if not is_number or value not in self._facts.legal:
+                _check_constant(self._facts, value)
             encoded = self._schema.write(value)
         except BuildError:
             raise KeyError(value) from None

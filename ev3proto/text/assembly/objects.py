@@ -13,12 +13,10 @@ from typing import NamedTuple
 
 from ev3proto.errors import BuildError, counted, near_misses
 from ev3proto.schema.instructions import CMD, OperationSchema, instruction_set
-from ev3proto.semantics.facts import facts_of
-from ev3proto.semantics.judgement import Wrong, judge
 from ev3proto.tables import OPCODES
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, TEXT, limits_of
+from ev3proto.tables.encoding import BITS, GLOBAL, LOCAL, RANGES
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS
 from ev3proto.tables.source import (
     BASIC_NAMES,
@@ -614,34 +612,28 @@ def _of_one(operation: str, parameter: Parameter, argument: Value, value: Meanin
         yield argument.at, f"{parameter.name} of {operation} {reason}{shown}"
 
 
-_OF_TYPE = {
-    Wrong.WRITTEN: "is an output, and what is written into a constant is lost",
-    Wrong.TEXT: "is a {kind}, not a string",
-    Wrong.NUMBER: "is a string, not a number",
-    Wrong.WHOLE: "is a DATAF, and a whole number means its bits there, while floats end in F",
-    Wrong.TRUNCATED: "is a {kind}, which reaches from {low} to {high}: it cannot be {value}",
-    Wrong.NEGATIVE: "is a {kind}, which reaches from {low} to {high}: it cannot be {value}",
-}
-"""What lmsasm has against a constant: its type, not its meaning."""
-
-
-def _is_meant(wrong: Wrong, kind: Type, value: float | str) -> bool:
-    """Returns whether a constant is written as lmsasm takes it: `'a'` and 0x80 for a DATA8, DATAF_NAN as its bits."""
-    if wrong is Wrong.WHOLE:
-        return value == CONSTANTS["DATAF_NAN"]
-    return kind is Type.DATA8 and (wrong is Wrong.TEXT or (wrong is Wrong.NEGATIVE and value == 0x80))
-
-
 def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | None:
+    """Returns what lmsasm has against a constant: its type, not its meaning, which `semantics.judgement` judges."""
     kind = parameter.type
+    if parameter.direction is Direction.OUT:
+        return "is an output, and what is written into a constant is lost"
     if isinstance(value, float):
         return None if kind in (Type.DATAF, Type.ARRAY_TYPED) else f"is a {parameter.label}, not a float"
-    judgement = judge(facts_of(parameter), TEXT if isinstance(value, str) else CONSTANT, value)
-    wrong = None if judgement is None else judgement.wrong
-    if wrong not in _OF_TYPE or _is_meant(wrong, kind, value):
+    if isinstance(value, str):
+        is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8) and not parameter.counts
+        return None if is_text else f"is a {parameter.label}, not a string"
+    if kind is Type.DATAF:
+        if value in (0, CONSTANTS["DATAF_NAN"]):
+            return None
+        return "is a DATAF, and a whole number means its bits there, while floats end in F"
+    if kind is Type.STRING:
+        return "is a string, not a number"
+    limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) and not parameter.counts else None
+    if parameter.unsigned and value in BITS[kind]:
         return None
-    low, high, _ = limits_of(parameter) or (0, 0, 0)
-    return _OF_TYPE[wrong].format(kind=parameter.label, value=value, low=low, high=high)
+    if limits is not None and not limits.low <= value <= limits.high and value != limits.nan & (limits.high * 2 + 1):
+        return f"is a {kind}, which reaches from {limits.low} to {limits.high}: it cannot be {value}"
+    return None
 
 
 def _wrong_place(parameter: Parameter, place: Variable) -> str | None:

@@ -4,23 +4,22 @@
 
 local operations = {}
 do
-    local add, set_len, append_text = TreeItem.add, TreeItem.set_len, TreeItem.append_text
-    local new_range = Tvb.range
+    local add, set_len, new_range = TreeItem.add, TreeItem.set_len, Tvb.range
     local select_operation, read_arguments = reading.select_operation, reading.read_arguments
     local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
     local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- Adds a value with the field of its parameter, as text if its type differs from the parameter's. `numbered` is the
-    -- name of an element of a list, with its number; `dataset` is what it receives from a device.
-    function operations.add_value(tree, parameter, range, value, numbered, dataset)
+    -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its type
+    -- differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list, with
+    -- its number; `dataset` is what it receives from a device.
+    local function value_parts(parameter, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
             local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
-            return add(tree, field.other, range, text, (numbered or parameter.name) .. ": " .. text)
+            return field.other, text, (numbered or parameter.name) .. ": " .. text
         elseif is_text then
-            local label = numbered and numbered .. ": " .. phrases.shortened(value)
-            return add(tree, declared, range, reading.utf8_text(value), label)
+            return declared, reading.utf8_text(value), numbered and numbered .. ": " .. phrases.shortened(value)
         end
         local unit, meaning, label = kind == FLOAT and parameter.unit, nil, nil
         if parameter.special or parameter.flags then meaning = phrases.meaning_of(parameter, value) end
@@ -28,62 +27,107 @@ do
         if numbered then
             local name, text = parameter.names and parameter.names[value], phrases.number_text(value)
             label = numbered .. ": " .. (name and format("%s (%s)", name, text) or text)
-        elseif not (unit or meaning) then
-            return add(tree, declared, range, value)
         end
-        return add(tree, declared, range, value, label, unit, meaning)
+        return declared, value, label, unit and meaning and unit .. " " .. meaning or unit or meaning
     end
 
-    -- The state of reading operations: the `heading` of the operation (nil without a tree), its `buffer`, and the
-    -- frame's `base` there; the requested memory; the operation, where it starts, and the constants that its arguments
-    -- state; the text `said` so far, and its number of arguments; whether a variable `is_beyond` the memory; the first
-    -- `remark` on an argument; without a tree, the `complaints` and the `outputs`; the `content` that is read. Local
-    -- variables are faster than a table for the many arguments.
-    local heading, buffer, base, globals, locals, operation, start, stated, said, said_count, is_beyond
+    -- Adds a value with the field of its parameter.
+    function operations.add_value(tree, parameter, range, value, numbered, dataset)
+        local declared, shown, label, appended = value_parts(parameter, value, numbered, dataset)
+        return add(tree, declared, range, shown, label, appended)
+    end
+
+    -- Steps are the items of operations in one list, which costs less than adding the items again by their bytes. An
+    -- item is its field, offset, size, value, label, and what is appended; then what is said of it, as false, kind and
+    -- text; and its encoding, as true and a label.
+    local function add_step(steps, declared, at, size, value, label, appended)
+        local last = #steps
+        steps[last + 1], steps[last + 2], steps[last + 3], steps[last + 4] = declared, at, size, value
+        steps[last + 5], steps[last + 6] = label or false, appended or false
+    end
+
+    local function add_encoding(steps, encoding)
+        local last = #steps
+        steps[last + 1], steps[last + 2] = true, encoding.label
+    end
+
+    -- Adds the items of steps to a message's item; `base` is the frame's offset in the buffer.
+    local function show_steps(steps, item, tvb, base)
+        local index, last, heading, newest, range = 1, #steps, nil, nil, nil
+        while index < last do
+            local declared = steps[index]
+            if declared == true then
+                add(newest, ENCODING, range, steps[index + 1])
+                index = index + 2
+            elseif not declared then
+                complain(newest, steps[index + 1], steps[index + 2])
+                index = index + 3
+            else
+                local is_heading, size = declared == OPCODE, steps[index + 2]
+                -- A range costs more than an item: one serves both an argument and its encoding.
+                range = new_range(tvb, base + steps[index + 1], is_heading and size or 1)
+                newest = add(is_heading and item or heading, declared, range,
+                    steps[index + 3], steps[index + 4], steps[index + 5])
+                if is_heading then
+                    heading = newest
+                elseif size > 1 then
+                    set_len(newest, size)
+                end
+                index = index + 6
+            end
+        end
+    end
+
+    -- The state of reading operations: the `steps`, nil if they are not wanted; the requested memory; the operation,
+    -- where it starts, and the constants that its arguments state; the text `said` so far, and its number of arguments;
+    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree; the
+    -- `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
+    local steps, globals, locals, operation, start, stated, said, said_count, is_beyond
     local remark, complaints, outputs, content
 
-    local function report(item, kind, at, text)
+    local function report(kind, at, text)
         remark = remark or format("at offset %d: %s", at, text)
-        if item then
-            complain(item, kind, text)
-        else
-            complaints[#complaints + 1] = { kind = kind, text = text }
+        if steps then
+            local last = #steps
+            steps[last + 1], steps[last + 2], steps[last + 3] = false, kind, text
         end
+        -- Without a tree only the first variable beyond the memory is reported.
+        if kind == "beyond_memory" and is_beyond then return end
+        is_beyond = is_beyond or kind == "beyond_memory"
+        complaints[#complaints + 1] = { kind = kind, text = text }
     end
 
     -- Adds the expert information for a variable whose index the brick refuses.
-    local function complain_of_index(item, at, parameter, encoding, index, alignment)
+    local function complain_of_index(at, parameter, encoding, index, alignment)
         local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
         local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
         local variable = argument_text(parameter, encoding, index)
-        report(item, "misaligned", at, format(reason, parameter.name, sort, alignment, variable))
+        report("misaligned", at, format(reason, parameter.name, sort, alignment, variable))
     end
 
-    -- Checks the index of a variable: its alignment, and whether it is within the requested memory. Without a tree only
-    -- the first variable beyond that memory is reported.
-    local function check_variable(item, at, parameter, encoding, index)
+    -- Checks the index of a variable: its alignment, and whether it is within the requested memory.
+    local function check_variable(at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
             size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
-        if index % alignment ~= 0 then complain_of_index(item, at, parameter, encoding, index, alignment) end
+        if index % alignment ~= 0 then complain_of_index(at, parameter, encoding, index, alignment) end
         local is_global = encoding.kind == GLOBAL
         local asked = is_global and globals or locals
-        if not asked or is_beyond and not item then return end
+        if not asked then return end
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * reply_values.stated_length(parameter, stated, 1)
         end
         if index + size <= asked then return end
-        is_beyond = true
-        report(item, "beyond_memory", at, format(
+        report("beyond_memory", at, format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(item, at, reason, code)
-        if reason then report(item, REFUSED[code] and "refused" or "misread", at, reason) end
+    local function check_constant(at, reason, code)
+        if reason then report(REFUSED[code] and "refused" or "misread", at, reason) end
     end
 
     -- Appends an argument to the line of its operation.
@@ -105,23 +149,18 @@ do
         }
     end
 
-    local function show_argument(parameter, encoding, value, at, after)
-        local item, range
-        if heading then
-            -- A range costs more than an item: one serves both the argument and its encoding.
-            range = new_range(buffer, base + at, 1)
-            if encoding.scope then
-                local variable = argument_text(parameter, encoding, value)
-                item = add(heading, VARIABLE, range, variable, parameter.label .. ": " .. variable)
-            else
-                item = operations.add_value(heading, parameter, range, value, parameter.numbered)
-            end
-            if after > at + 1 then set_len(item, after - at) end
+    local function take_argument(parameter, encoding, value, at, after)
+        if steps and encoding.scope then
+            local variable = argument_text(parameter, encoding, value)
+            add_step(steps, VARIABLE, at, after - at, variable, parameter.label .. ": " .. variable)
+        elseif steps then
+            local declared, shown, label, appended = value_parts(parameter, value, parameter.numbered)
+            add_step(steps, declared, at, after - at, shown, label, appended)
         end
         if encoding.scope then
-            check_variable(item, at, parameter, encoding, value)
+            check_variable(at, parameter, encoding, value)
             -- An address is the place of a value, not a value.
-            if not item and encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
+            if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
                 note_output(parameter, encoding, value)
             end
         else
@@ -130,64 +169,58 @@ do
             end
             local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(item, at, misuse_of(parameter, encoding, value, operation.name, byte(content, at + 1)))
+                check_constant(at, misuse_of(parameter, encoding, value, operation.name, byte(content, at + 1)))
             end
         end
-        if item then add(item, ENCODING, range, encoding.label) end
+        if steps then add_encoding(steps, encoding) end
         if said and parameter.key then say_argument(parameter, encoding, value) end
     end
 
-    -- Adds the name of a CMD, with its encoding if that takes more than one byte.
-    local function add_cmd(heading, selected, text, at, after)
-        local range = new_range(buffer, base + at, 1)
-        local item = add(heading, CMD, range, selected.name)
-        if after > at + 1 then
-            set_len(item, after - at)
-            add(item, ENCODING, range, reading.ENCODINGS[byte(text, at + 1)].label)
-        end
-    end
-
     -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
-    -- known. With a tree, `item` is the message's, and `view` has the buffer `tvb` and the frame's `base` there.
-    -- Returns the line of the operations, which may be empty; the offset after the last one that could be read; the
-    -- fault, or nil; and the first operation, or nil.
-    local function read(text, at, item, view, asked_globals, asked_locals)
-        local first, phrase, others, fault = nil, "", {}, nil
-        heading, globals, locals, is_beyond, complaints, outputs = nil, asked_globals, asked_locals, false, {}, {}
-        remark, content = nil, text
-        if item then buffer, base = view.tvb, view.base end
+    -- known. Returns the `line` of the operations, which may be empty; the offset `after` the last one that could be
+    -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with `wants_steps`
+    -- the `steps` of their items.
+    local function read(text, at, wants_steps, asked_globals, asked_locals)
+        local first, phrase, others, fault, line = nil, "", {}, nil, ""
+        globals, locals, is_beyond, complaints, outputs = asked_globals, asked_locals, false, {}, {}
+        remark, steps, content = nil, wants_steps and {} or nil, text
         while at < #text and not fault do
-            if item then heading = add(item, OPCODE, new_range(buffer, base + at, 1)) end
+            local heading = steps and #steps
+            if steps then add_step(steps, OPCODE, at, 1, byte(text, at + 1)) end
             local selected, after, reason, kind = select_operation(text, at)
             if not selected then
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
-            if item and selected.cmd_name then add_cmd(heading, selected, text, at + 1, after) end
+            local cmd = selected.cmd_name
+            if steps and cmd then
+                add_step(steps, CMD, at + 1, after - at - 1, selected.name)
+                if after > at + 2 then add_encoding(steps, reading.ENCODINGS[byte(text, at + 2)]) end
+            end
             operation, start, stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
-            local is_said = item ~= nil or not first
-            said, said_count = is_said and "", 0
+            said, said_count = (steps or not first) and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, show_argument)
+            after, offset, reason, kind = read_arguments(selected, text, after, take_argument)
             if not first then
                 first, phrase = selected, said
             else
                 others[#others + 1] = selected.name
             end
-            if item then
-                if selected.cmd_name then said = " " .. selected.cmd_name .. said end
-                if after > at + 1 then set_len(heading, after - at) end
-                if said ~= "" then append_text(heading, said) end
+            if steps then
+                steps[heading + 3] = after - at
+                steps[heading + 6] = cmd and cmd .. said or said ~= "" and sub(said, 2)
             end
             at = after
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
-        if not first then return "", at, fault end
-        local line = first.name .. phrase
+        if first then line = first.name .. phrase end
         if others[1] then line = line .. " " .. phrases.others_text(others) end
-        if remark then line = format("%s [%s]", line, remark) end
-        return line, at, fault, first
+        if first and remark then line = format("%s [%s]", line, remark) end
+        return {
+            line = line, after = at, fault = fault, first = first, complaints = complaints, outputs = outputs,
+            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark, steps = steps,
+        }
     end
 
     local function memory_sizes(text)
@@ -200,52 +233,64 @@ do
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
     -- Each holds about as much for its tables as the second number, besides its body.
     local MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512
+    -- The same for steps, of which each value takes as much as the second number.
+    local MOST_STEP_BYTES, STEP_BYTES = 2048 * 1024, 20
     local HEADER = ("\0"):rep(HEADER_SIZE)
-    local summaries, summary_bytes = {}, 0
+    local summaries, summary_bytes, step_bytes = {}, 0, 0
 
     function operations.forget()
-        summaries, summary_bytes = {}, 0
+        summaries, summary_bytes, step_bytes = {}, 0, 0
     end
 
-    -- Returns the summary of a direct command without a tree, by its bytes after the type: `line`, `after`, `fault` and
-    -- `first` as above, its `complaints`, and its `outputs`. Offsets are those in the frame.
-    function operations.summary_of(body)
+    -- Keeps a summary that was read; its steps only from the second time on that its items are shown, because some
+    -- programs never repeat a command.
+    local function keep(body, summary, earlier)
+        if summary_bytes > MOST_BYTES or step_bytes > MOST_STEP_BYTES then operations.forget() end
+        local kept = steps
+        if steps and not (earlier and earlier.is_shown) then
+            kept, summary.steps, summary.is_shown = nil, nil, true
+        end
+        if not summaries[body] then summary_bytes = summary_bytes + #body + SUMMARY_BYTES end
+        summaries[body], step_bytes = summary, step_bytes + (kept and #kept * STEP_BYTES or 0)
+    end
+
+    -- Returns the summary of a direct command by its bytes after the type, and its steps if they are wanted. Offsets
+    -- are those in the frame.
+    function operations.summary_of(body, wants_steps)
         local summary = summaries[body]
-        if summary then return summary end
+        if summary and (summary.steps or not wants_steps) then return summary, summary.steps end
         local text = HEADER .. body
         if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
-        local line, after, fault, first = read(text, COMMAND_HEADER_SIZE, nil, nil, memory_sizes(text))
-        summary = {
-            line = line, after = after, fault = fault, first = first, complaints = complaints, outputs = outputs,
-            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark,
-        }
-        if summary_bytes > MOST_BYTES then operations.forget() end
-        summaries[body], summary_bytes = summary, summary_bytes + #body + SUMMARY_BYTES
-        return summary
+        local earlier = summary
+        summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
+        keep(body, summary, earlier)
+        return summary, steps
     end
 
-    local function report_all(root, list)
-        for _, complaint in ipairs(list) do
-            complain(root, complaint.kind, complaint.text)
+    -- Shows what was read. Returns its line, the offset after it, and the fault, or nil.
+    local function show(summary, shown, item, view)
+        if item then
+            show_steps(shown, item, view.tvb, view.base)
+        else
+            for _, complaint in ipairs(summary.complaints) do
+                complain(view.root, complaint.kind, complaint.text)
+            end
         end
+        return summary.line, summary.after, summary.fault
     end
 
-    -- Shows the operations of a direct command. Returns their line, the offset after them, and the fault, or nil.
+    -- Shows the operations of a direct command.
     function operations.show(text, view)
-        if view.item then return read(text, COMMAND_HEADER_SIZE, view.item, view, memory_sizes(text)) end
-        local summary = operations.summary_of(sub(text, HEADER_SIZE + 1))
-        report_all(view.root, summary.complaints)
-        return summary.line, summary.after, summary.fault
+        local summary, shown = operations.summary_of(sub(text, HEADER_SIZE + 1), view.item ~= nil)
+        return show(summary, shown, view.item, view)
     end
 
     -- The same for the payload of a daisy command, from an offset on. Its layout is not certain: operations are shown
     -- only if all of it can be read.
     function operations.show_payload(text, at, view, payload)
-        local line, after, fault = read(text, at)
-        if fault then return line, after, fault end
-        if payload then return read(text, at, payload, view) end
-        report_all(view.root, complaints)
-        return line, after
+        local summary = read(text, at, payload ~= nil)
+        if summary.fault then return summary.line, summary.after, summary.fault end
+        return show(summary, steps, payload, view)
     end
 
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.

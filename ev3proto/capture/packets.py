@@ -40,7 +40,6 @@ class Format(NamedTuple):
     needs     the number of first bytes that always tell whether a file has this format
     matches   tells it from the first bytes, fewer of them too: None if more are needed
     packets   yields the packets of a file; raises CaptureError for a damaged one, after everything readable
-    is_read   False for a format that is only named, whose `packets` raises CaptureError at once
     """
 
     name: str
@@ -48,7 +47,6 @@ class Format(NamedTuple):
     needs: int
     matches: Callable[[bytes], bool | None]
     packets: Callable[[io.BufferedReader[Any]], Iterator[Packet]]
-    is_read: bool = True
 
 
 def begins_with(*starts: bytes) -> Callable[[bytes], bool | None]:

@@ -23,6 +23,9 @@ NANOSECONDS = 1_000_000_000
 """Nanoseconds in a second."""
 
 
+OLDEST_DATE = 946_684_800
+"""Seconds from 1970 to 2000. Earlier times are of a source without dates: they count from any moment."""
+
 HOST = "host"
 """The computer's end of a route, if its address is unknown."""
 
@@ -423,7 +426,9 @@ Event = Record | Announcement | Skipped
 def place_record(event: Record | Announcement) -> dict[str, Any]:
     """Returns place and time for other tools; without `time` for a log without times."""
     route = event.route
-    time = {"time": utc(event.time_ns)} if route.is_timed else {}
+    written = event.written if isinstance(event, Record) else None
+    said = utc(event.time_ns) if written is None else written.time
+    time = {"time": said} if route.is_timed else {}
     return time | {
         "packets": list(event.numbers),
         "interface": route.interface,
@@ -440,12 +445,17 @@ def elapsed(time_ns: int, start_ns: int) -> str:
 
 
 def utc(time_ns: int) -> str:
-    """Returns a time as `2024-01-31T09:12:31.011558Z`, with nanoseconds if it has any."""
+    """Returns a time as `2024-01-31T09:12:31.011558Z`, with nanoseconds if it has any.
+
+    Times before 2000, and after 9999 in a damaged file, are not dates: these become bare seconds, `0.011558`.
+    """
     seconds, rest = divmod(time_ns, NANOSECONDS)
     digits = f"{rest:09}"
+    digits = digits[:6] if digits.endswith("000") else digits
+    if seconds < OLDEST_DATE:
+        return f"{seconds}.{digits}"
     try:
         moment = datetime.fromtimestamp(seconds, UTC)
     except (OverflowError, ValueError, OSError):
-        return f"{seconds}.{digits}"  # a damaged file can have impossible times
-    day_and_time = moment.isoformat()[: len("2024-01-31T09:12:31")]
-    return f"{day_and_time}.{digits[:6] if digits.endswith('000') else digits}Z"
+        return f"{seconds}.{digits}"
+    return f"{moment.isoformat()[: len('2024-01-31T09:12:31')]}.{digits}Z"

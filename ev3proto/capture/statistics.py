@@ -20,7 +20,7 @@ from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
 from ev3proto.capture.moving import UPLOADS, begins, unanswered_after
-from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Skipped, utc
+from ev3proto.capture.record import NANOSECONDS, OLDEST_DATE, Announcement, Event, Record, Skipped, utc
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
@@ -36,6 +36,8 @@ MOST_TRANSFERS = 1000
 
 MOST_PENDING = 4096
 """Maximum number of pending commands; beyond, the oldest counts as unanswered."""
+
+_OLDEST_NS = OLDEST_DATE * NANOSECONDS
 
 # The results
 
@@ -109,7 +111,7 @@ class PeerSummary:
     cut: int = 0  # frames whose last bytes the capture or the text has left out
     unanswered: int = 0  # commands that requested a reply and got none
     orphans: int = 0  # replies whose command was not captured
-    first: str | None = None  # time of the first message, UTC; None if unknown
+    first: str | None = None  # time of the first message: UTC, or seconds in a source without dates; None if unknown
     last: str | None = None  # time of the last message
     seconds: float = 0.0  # seconds between these
 
@@ -166,8 +168,15 @@ class _Peer:
         self.counts.faults += record.fault is not None
         self.counts.cut += record.missing > 0
         if record.route.is_timed:
-            self._first_ns = record.time_ns if self._first_ns is None else min(self._first_ns, record.time_ns)
-            self._last_ns = max(self._last_ns, record.time_ns)
+            self._add_time(record.time_ns)
+
+    def _add_time(self, time_ns: int) -> None:
+        """Takes the time of a message; those without a date count only if none has one."""
+        first_ns = self._first_ns
+        if first_ns is None or first_ns < _OLDEST_NS <= time_ns:
+            self._first_ns = self._last_ns = time_ns
+        elif (first_ns < _OLDEST_NS) is (time_ns < _OLDEST_NS):
+            self._first_ns, self._last_ns = min(first_ns, time_ns), max(self._last_ns, time_ns)
 
     def command(self, record: Record, carried: dict[OperationName, int]) -> None:
         for key, uses in carried.items():

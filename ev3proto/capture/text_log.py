@@ -20,8 +20,8 @@ from ev3proto.tables.carriers import DEFAULT_CARRIER
 from ev3proto.text.paste.pieces import Pasted
 from ev3proto.text.splitting import split
 
-BEGIN_NS = 1_767_225_600 * NANOSECONDS
-"""The day of times without dates: 2026-01-01, so that the same text makes the same capture."""
+DAY_NS = 1_767_225_600 * NANOSECONDS
+"""The day of times without dates in a capture that is made: 2026-01-01."""
 
 STEP_NS = NANOSECONDS // 1000
 """Time between frames without times, in nanoseconds."""
@@ -42,7 +42,9 @@ _TIME = re.compile(
 class Clock:
     """A clock for the frames of a text, which never goes back."""
 
-    def __init__(self) -> None:
+    def __init__(self, begin_ns: int = 0) -> None:
+        """Takes the beginning of the day of times without dates, in nanoseconds since 1970-01-01 UTC."""
+        self._begin_ns = begin_ns
         self._days_ns = 0
         self._last_ns: int | None = None
 
@@ -54,10 +56,10 @@ class Clock:
         last_ns = self._last_ns
         found = None if time is None else _nanoseconds(time)
         if found is None:
-            now_ns = BEGIN_NS if last_ns is None else last_ns + STEP_NS
+            now_ns = self._begin_ns if last_ns is None else last_ns + STEP_NS
         else:
             now_ns, has_date = found
-            now_ns += 0 if has_date else self._days_ns
+            now_ns += 0 if has_date else self._begin_ns + self._days_ns
             if last_ns is not None and not has_date and last_ns - now_ns > _DAY_NS // 2:
                 self._days_ns += _DAY_NS
                 now_ns += _DAY_NS
@@ -81,7 +83,7 @@ def _nanoseconds(text: str) -> tuple[int, bool] | None:
         when = when.replace(tzinfo=UTC)
     part_ns = int((found["part"] or "0").ljust(9, "0"))
     since = int(when.timestamp()) * NANOSECONDS + part_ns
-    return (since, True) if date else (BEGIN_NS + since, False)
+    return since, date is not None
 
 
 @lru_cache

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import click
 
-from ev3proto.capture.record import Record
-from ev3proto.capture.text_log import Clock
+from ev3proto.capture.record import NANOSECONDS, OLDEST_DATE, Record
+from ev3proto.capture.text_log import DAY_NS, Clock
 from ev3proto.cli.commands import Group
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
 from ev3proto.cli.output import (
@@ -145,10 +145,11 @@ def everything(folder: Path, check: bool) -> None:
 
 def _timed_frames(records: Iterable[Record], *, is_filtered: bool) -> Iterator[tuple[bytes | TimedFrame, Record]]:
     """Yields the frames, at the times of captures or texts or after the frame before."""
-    clock, has_times = Clock(), None
+    clock, has_times = Clock(DAY_NS), None
     for record in records:
         if record.written is None or is_filtered:
-            yield TimedFrame(record.frame, record.time_ns), record
+            is_date = record.written is None or record.time_ns >= OLDEST_DATE * NANOSECONDS
+            yield TimedFrame(record.frame, record.time_ns + (0 if is_date else DAY_NS)), record
             continue
         time = record.written.time
         has_times = time is not None if has_times is None else has_times

@@ -22,6 +22,9 @@ _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 _HAS_BYTES = r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}"
 """Bytes in hex, which need no advice on how to write frames."""
 
+_SUMMARY = "--- BEGIN:BTSNOOP_LOG_SUMMARY", "--- END:BTSNOOP_LOG_SUMMARY"
+"""The lines around a compressed log in a bug report of Android."""
+
 Found = Iterator[Record | Source | Problem]
 
 
@@ -40,6 +43,7 @@ class TextReader:
         self._options = options
         self._log = log
         self._first_line = ""
+        self._summary = 0  # the line of a bug report at which a compressed log begins
 
     def word(self, text: str) -> Found:
         """Yields what is in a text that is known to be meant as bytes or assembly.
@@ -67,7 +71,7 @@ class TextReader:
 
     def lines(self, lines: Iterable[str], is_silent: Callable[[], bool] = lambda: False) -> Found:
         """Yields what is in the lines of a text; `is_silent` waits, and says whether no line comes."""
-        noted = self._noted(iter(lines))
+        noted = self._noted(self._without_summary(lines))
         if self._options.missing is None and self._options.sources is not Sources.NO:
             first = list(introduction(noted))
             noted = chain(first, noted)
@@ -79,6 +83,10 @@ class TextReader:
         bare = missing and read_bare(noted, missing, self._options.dialect)
         for pasted in bare or read_text(noted, is_silent):
             yield from self.pasted(pasted)
+        if self._summary:
+            from ev3proto.capture.formats.unread import BTSNOOZ  # takes 9 ms, which frames do not need
+
+            yield Problem(Place(self._given.label, self._summary), ProblemCode.KIND, BTSNOOZ)
 
     def pasted(self, pasted: Pasted, place: Place | None = None) -> Found:
         """Yields the frames in one piece of the text, and what is wrong with it."""
@@ -124,6 +132,18 @@ class TextReader:
         reason = pasted.reason if place.column == 1 else problem
         sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
         return Problem(place, ProblemCode.TEXT if given.word.strip() else ProblemCode.EMPTY, sentence)
+
+    def _without_summary(self, lines: Iterable[str]) -> Iterator[str]:
+        """Yields the lines, but not those of the compressed log in a bug report of Android."""
+        is_inside = False
+        for number, line in enumerate(lines, 1):
+            if line.startswith(_SUMMARY):
+                is_inside = line.startswith(_SUMMARY[0])
+                self._summary = self._summary or number
+            elif not is_inside:
+                yield line
+                continue
+            yield "\n"
 
     def _noted(self, lines: Iterator[str]) -> Iterator[str]:
         """Yields the lines, and keeps the first that is neither empty nor a comment."""

@@ -21,7 +21,7 @@ from support.packets import Capture as Packets
 from support.packets import Connection, SerialPort, packets_of
 
 from ev3proto.capture import Capture, CaptureError, read
-from ev3proto.capture.formats import FORMATS, LISTED
+from ev3proto.capture.formats import FORMATS, LISTED, READ
 from ev3proto.capture.packets import Format
 
 COMMANDS = [struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60") for counter in range(5)]
@@ -136,7 +136,7 @@ def test_pages_and_help_list_the_formats() -> None:
     assert [name for name, text in pages.items() if LISTED not in text] == []
     assert f"captures ({LISTED}; gzipped or not)" in " ".join(run_ev3proto_text("decode", "--help").stdout.split())
     rows = (ROOT / "docs/howto/record.md").read_text(encoding="utf-8").partition("## Which files are read")[2]
-    suffixes = {suffix for found in FORMATS if found.is_read for suffix in found.suffixes}
+    suffixes = {suffix for found in READ for suffix in found.suffixes}
     assert suffixes <= set(re.findall(r"`(\.\w+)`", rows))
 
 
@@ -178,6 +178,10 @@ def test_files_that_are_known_and_not_read() -> None:
     packet = bytes.fromhex("02 0b20 1200 0e00 4000 0bef15 08000200000400810160 9a")
     dump = struct.pack("<HBBII", len(packet), 0, 0, 1_540_000_000, 5) + packet
     assert read_bytes(dump) == ([], "a file of hcidump -w, which is not read here; --engine wireshark reads it")
+    summary = bytes.fromhex("02 0068e5cf8b010000 789c6390 6378c1ccc0a0c8a82049")
+    netlog = b'{"constants":{"activeFieldTrialGroups":[]'
+    assert "Android's compressed log of Bluetooth (btsnooz), which is not read here; " in str(read_bytes(summary)[1])
+    assert "a NetLog of Chrome, which has requests of pages" in str(read_bytes(netlog)[1])
     mac = read_bytes(pcap(266, timed([bytes(40)])))
     assert mac == (
         [],

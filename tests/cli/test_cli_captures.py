@@ -82,7 +82,7 @@ def test_a_tree_with_time_place_and_direction(tmp_path: Path) -> None:
 def test_json_with_time_place_and_direction() -> None:
     _, asked, answered = entries(stdin=dialogue())
     assert asked["hex"] == VOLTAGE.hex()
-    assert (asked["time"], asked["packets"], asked["direction"]) == ("1970-01-01T00:00:00.001000Z", [2], "sent")
+    assert (asked["time"], asked["packets"], asked["direction"]) == ("0.001000", [2], "sent")
     assert (asked["carrier"], asked["source"], asked["target"]) == ("wifi", "192.0.2.1:49152", "192.0.2.10:5555")
     assert (answered["peer"], answered["direction"]) == ("192.0.2.10:5555", "received")
     assert (answered["answers"], answered["latency"]) == (2, 0.001)

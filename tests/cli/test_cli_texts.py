@@ -144,7 +144,7 @@ def test_dialogues_of_a_text(log: Path) -> None:
     lines = out("decode", "--dialogues", str(log)).splitlines()
     assert lines[0].endswith("VALUE=7.92 V  10.000 ms")
     assert len(lines) == 3
-    assert lines[2].endswith("no reply")
+    assert lines[2].endswith("no reply  (counter 2)")
 
 
 def test_a_filter_on_a_text(log: Path) -> None:

@@ -170,6 +170,22 @@ def test_a_source_without_anything_is_one_problem(source: ev3proto.reading.Reada
     assert problem(source).code == code
 
 
+def test_the_log_in_a_bug_report_is_named() -> None:
+    """Base64 of a compressed log, in which nothing is taken for a frame; lines around it are read."""
+    text = f"""dumpstate
+--- BEGIN:BTSNOOP_LOG_SUMMARY (64 bytes in) ---
+AgBo5c+LAQAAeJyTY5BjeMHMwKDIqCDJIMrgwMD9XpmfgYGhgYFhCmMjU9MLZiCaJcQgBFYlyKjA
+--- END:BTSNOOP_LOG_SUMMARY ---
+{ASK.hex(" ")}
+"""
+    record, problem = ev3proto.read(text)
+    assert isinstance(record, ev3proto.Record)
+    assert (record.frame, record.place.line) == (ASK, 5)
+    assert isinstance(problem, ev3proto.Problem)
+    assert (problem.place.line, problem.code) == (2, ProblemCode.KIND)
+    assert problem.message.startswith("Android's compressed log of Bluetooth (btsnooz), which is not read here; ")
+
+
 def test_a_filter_that_nothing_matches() -> None:
     (found,) = ev3proto.read(CAPTURES / "usb-plugged.pcap", filter="op == SOUND.PLAY")
     assert isinstance(found, ev3proto.Problem)

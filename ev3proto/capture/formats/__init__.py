@@ -12,16 +12,19 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, BinaryIO, Self
 
-from ev3proto.capture.formats import btsnoop, hcidump, packetlogger, pcap, pcapng, usbmon_text
+from ev3proto.capture.formats import btsnoop, packetlogger, pcap, pcapng, unread, usbmon_text
 from ev3proto.capture.packets import Format, Packet, begins_with
 from ev3proto.capture.record import CaptureError
 
-FORMATS = tuple(each.FORMAT for each in (pcap, pcapng, btsnoop, packetlogger, usbmon_text, hcidump))
-"""All formats. A file has the first that matches. To add one, write its module and add it here."""
+READ = tuple(each.FORMAT for each in (pcap, pcapng, btsnoop, packetlogger, usbmon_text))
+"""The formats that are read. To add one, write its module and add it here."""
 
-_NAMES = [each.name for each in FORMATS if each.is_read]
+FORMATS = (*READ, *unread.FORMATS)
+"""All formats. A file has the first that matches."""
+
+_NAMES = [each.name for each in READ]
 LISTED = f"{', '.join(_NAMES[:-1])} or {_NAMES[-1]}"
-"""The names of those that are read, for sentences."""
+"""The names of those, for sentences."""
 
 GZIP = b"\x1f\x8b"
 _is_gzip = begins_with(GZIP)

@@ -309,8 +309,8 @@ def clean(text: str, most: int = MOST_LETTERS) -> str:
 
 
 def clock(time_ns: int) -> str:
-    """Returns `2024-01-31 09:12:31.011558 UTC`."""
-    return f"{utc(time_ns).removesuffix('Z').replace('T', ' ')} UTC"
+    """Returns `2024-01-31 09:12:31.011558 UTC`, or the bare seconds of a source without dates."""
+    return utc(time_ns).replace("T", " ").replace("Z", " UTC")
 
 
 def _ends(route: Route) -> dict[str, str]:

@@ -14,7 +14,7 @@ TEXT: Schema = {"type": "string"}
 NUMBER: Schema = {"type": "number"}
 FLAG: Schema = {"type": "boolean"}
 HEX: Schema = {"type": "string", "pattern": "^([0-9a-f]{2})*$"}
-TIME: Schema = {"type": "string", "pattern": "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z$"}
+TIME: Schema = {"type": "string", "pattern": "^([0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z|-?[0-9]+[.][0-9]{6,9})$"}
 NOT_FINITE: Schema = {"enum": ["nan", "inf", "-inf"]}
 
 _PLAIN = {int: {"type": "integer"}, float: NUMBER, str: TEXT, bool: FLAG}

@@ -14,7 +14,7 @@ from itertools import chain
 
 from ev3proto.schema.frame import is_flawless, parse
 from ev3proto.schema.header import frame_end
-from ev3proto.semantics.identify import identify
+from ev3proto.semantics.identify import LOOKS, identify
 from ev3proto.text.paste.elements import BYTES, EXPRESSION, TextElement, clean, unknown_bytes
 from ev3proto.text.paste.frames import FrameSpan, is_carried, is_whole
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
@@ -25,10 +25,6 @@ from ev3proto.text.paste.repairs import Repaired, may_be_mended, repaired
 from ev3proto.text.paste.runs import AROUND, Part, Row, Run, of_rows, openings
 from ev3proto.text.paste.strangers import strange_text
 
-_CHARACTERS = r"(?:[2-7][\da-fA-F][\W_]{0,2}(?:0x)?){8}|(?:(?:3[2-9]|[4-9]\d|1[01]\d|12[0-6])[\s,]{1,2}){8}"
-"""The characters of a text, in hex or decimal."""
-_HAS_CHARACTERS = re.compile(_CHARACTERS)
-
 _GATE = re.compile(
     r"""
     # An element from 0 to 3, the second byte of every frame; or a group of digits with it, or that begins with it.
@@ -37,15 +33,17 @@ _GATE = re.compile(
   | 0x0[0-3]0x | [\da-fA-F]{2}\.0[0-3]\.
     # A download, which may be longer than other frames: its type and its command.
   | [\da-fA-F]{2}[\W_]?[08]1[\W_]?9[\da-fA-F]
-    # Full-width digits.
-  | [\uff10-\uff13]
     # An escape, the lesson's mark, an unknown byte, base64.
   | \\ | 0[xX]\| | (?<!\w)(?:[xX]{2}|MM) | (?<![\w+/-])[\w+/-][AQgw][A-P][\w+/-]{5}
-  | """
-    + _CHARACTERS,
+    """,
     re.VERBOSE,
 )
 """What a line with a frame, or with its start, has."""
+_SPELT = re.compile(
+    r"3(?:0[\W_]{0,2}(?:0x)?(?:30|78|20|2[cC])|2[,\s]\s?48)|4(?:1[\W_]{0,2}(?:0x)?41|8[,\s]\s?(?:48|32|44|120))|65[,\s]\s?65"
+    "|\uff10|\uff11|\uff12|\uff13"
+)
+"""What a line with the characters of digits has: two zeros in hex, decimal or base64; and full-width digits."""
 
 _TIME_FIRST = re.compile(r"(?:\W?(?:[\d/-]+[T ])?\d\d:\d\d:\d\d(?!:)\S*\s+(?:\d{3,5}\s+\d{3,5}\s)?)?")
 """The date and the time at the start of a line, and the numbers of a process and a thread after them."""
@@ -191,7 +189,7 @@ class Reader:
         yield from self._close()
         is_again = _AGAIN.match(line) is not None and (self._has_frame or line.lstrip()[:1] == "+")
         is_long = len(line) > _SHORT and self._ended is None  # bytes that are too many may be any
-        if is_again or (is_long and _GATE.search(line, _TIME_FIRST.match(line).end()) is None):  # type: ignore[union-attr]
+        if is_again or (is_long and not _may_have_bytes(line)):
             self._has_frame = False
             self._before.append(line)
             return
@@ -265,7 +263,7 @@ class Reader:
         if mended is not None:
             yield self._mended(row, mended, above)
             return
-        said = spelt(row.of_line()) if reading is None and _HAS_CHARACTERS.search(row.line) else None
+        said = spelt(row.of_line()) if reading is None and _SPELT.search(row.line) else None
         one = near(row.of_line(), [row]) if reading is None and said is None else None
         if reading is None and one is None:
             if ended is not None and (rest := _below(row, *ended)) is not None:
@@ -321,6 +319,11 @@ class Reader:
             if end in part.inside(run.rows) and any(part.data[end:]):
                 # A frame over several lines is complete without the rows below.
                 yield _follows(run.elements[part.first + bisect_left(part.offsets, end) : part.last])
+
+
+def _may_have_bytes(line: str) -> bool:
+    time = _TIME_FIRST.match(line)
+    return _GATE.search(line, time.end() if time else 0) is not None or _SPELT.search(line) is not None
 
 
 def _said(number: int, line: str, problem: str, data: bytes = b"") -> Pasted:
@@ -413,6 +416,10 @@ def _spans_rows(reading: Reading, rows: list[Row]) -> bool:
     return rows[0].is_offset or any(first.line != last.line for first, last in spans)
 
 
+def _is_meant(data: bytes) -> bool:
+    return len(data) >= LOOKS and identify(data, missing=False).is_meant
+
+
 def _extents(
     reading: Reading, part: Part, frames: list[FrameSpan], check_sum: bytes, lines: dict[int, str]
 ) -> Iterator[tuple[int, int]]:
@@ -424,11 +431,11 @@ def _extents(
     breaks = part.inside(reading.run.breaks) if data[frames[-1].end :].strip(b"\0") or len(frames) > 1 else []
     for number, frame in enumerate(frames):
         is_last = number + 1 == len(frames)
-        if identify(data[at : frame.start], missing=False).is_meant:
+        if _is_meant(data[at : frame.start]):
             yield at, frame.start
         follows = len(data) if is_last else frames[number + 1].start
         at = frame.end
-        if frame.is_natural and not identify(data[at:follows], missing=False).is_meant:
+        if frame.is_natural and not _is_meant(data[at:follows]):
             is_rest = at < follows == len(data) and _is_rest(reading, part, at, lines)
             place = bisect_left(breaks, at)
             at = follows if is_rest else min([*breaks[place : place + 1], follows])

@@ -30,7 +30,7 @@ LOOKALIKES = str.maketrans("OolIiАВСЕасеОоХхΑΒΕΟΧ", "00111ABCEac
 """Letters that are read for digits in scanned pictures, or were typed on a Russian or Greek keyboard."""
 _MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{''.join(map(chr, LOOKALIKES))}]+(?![^\W_])")
 _DIGIT = re.compile(r"[0-9\uff10-\uff19]{2}")
-_SUSPECT = re.compile(r"\\[0-9A-F]{2}|(?<!\w)(?:0[xX])?[0-9a-fA-F]{9}")
+_SUSPECT = re.compile(r"\\[0-9A-F]{2}|(?:ffffff|FFFFFF)[89a-fA-F]")
 _LABVIEW = {"n": "0A", "r": "0D", "t": "09", "b": "08", "f": "0C", "s": "20", "\\": "5C"}
 
 
@@ -128,7 +128,7 @@ REPAIRS = (
 
 
 def may_be_mended(line: str) -> bool:
-    """Returns whether a line that was read may mean something else: it has LabVIEW's codes, or one word of digits."""
+    """Returns whether a line that was read may mean something else: it has LabVIEW's codes, or bytes of 32 bits."""
     return _SUSPECT.search(line) is not None
 
 

@@ -304,7 +304,8 @@ def _shows(text: str, data: bytearray) -> bool:
 def _of_elements(elements: list[TextElement], *, is_guess: bool = False) -> Iterator[Run]:
     """Yields the runs in elements that follow each other: all, and if these are not alike, every second or third."""
     run = Run(elements, is_guess=is_guess)
-    if len(elements) >= 2 * LEAST and len(run.breaks) * 3 > len(elements):
+    are_alike = len(elements) < 2 * LEAST or len({*map(shape, {one.gap for one in elements[1:]})}) == 1
+    if not are_alike and len(run.breaks) * 3 > len(elements):
         shapes = [shape(one.gap) for one in elements]
         for stride in (2, 3):
             gaps = ["#".join(shapes[max(0, at - stride + 1) : at + 1]) for at in range(len(elements))]

@@ -234,11 +234,6 @@ def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
     assert [piece.data for piece in pieces(f"write(3, ...) = 8\n{dump}\n")] == [NOTHING]
 
 
-def test_decimal_escapes_where_octal_ones_give_no_frame() -> None:
-    assert [piece.data for piece in pieces(r"'\015\000\000\000\128\0\0\148\1\129\2\130\232\3\130\232\3'")] == [TONE]
-    assert [piece.data for piece in pieces(r"'\017\000\000\000\200\0\0\224\1\201\2\202\350\3\202\350\3'")] == [TONE]
-
-
 @each("form", [form for form in FORMS if form.kind == "run"])
 def test_the_example_of_a_run_is_many_values(form: Form) -> None:
     assert [(token.kind, token.text) for token in split(form.example)[0]] == [

@@ -175,3 +175,22 @@ def test_other_texts_are_not_named(line: str) -> None:
 def test_a_text_among_frames_is_passed_over() -> None:
     (piece,) = read_text(["Sent b'forward'\n", f"Sent {RIGHT}\n"])
     assert piece.data.hex(" ") == RIGHT
+
+
+@each(
+    "text, how",
+    {
+        "recv: [B@40e3f9b8": "Java prints for an array, not its bytes; print Arrays.toString(bytes)",
+        "java.nio.HeapByteBuffer[pos=0 lim=17 cap=17]": "print Arrays.toString(buffer.array())",
+        "Received System.Byte[]": "print BitConverter.ToString(bytes.ToArray())",
+        "rx: [object ArrayBuffer]": "print new Uint8Array(buffer).join(' ')",
+        "got [object Uint8Array]": "print bytes.join(' ')",
+        "reply = <memory at 0x7f2b8c0d1e80>": "print bytes(data).hex(' ')",
+        "<map object at 0x7f2b8c0d1e80>": "print bytes(data).hex(' ')",
+        "sent table: 0x5581c3a0": "print table.concat(bytes, ' ')",
+    }.items(),
+)
+def test_the_name_of_an_array_is_answered_with_how_to_print_it(text: str, how: str) -> None:
+    (piece,) = read_text([f"{text}\n"])
+    assert piece.data == b""
+    assert how in (piece.problem or "")

@@ -56,3 +56,31 @@ def test_a_word_that_lost_its_last_digit_was_cut() -> None:
     (piece,) = pieces("0e002a0080000094010182b80182e80")
     assert piece.data.hex() == "0e002a0080000094010182b80182e8"
     assert "odd number of hex digits (31)" in (piece.problem or "")
+
+
+CUT = (
+    ("RX <Buffer f7 00 05 00 03 99 00 ed 00 00 00 00 33 45 32 31 ... 233 more bytes>", 16),
+    ("RX <Buffer f7 00 05 ... 246 more bytes>", 3),
+    ("Uint8Array(249) [247, 0, 5, 0, 3, 153, 0, 240, 0, 0, 0, 0, 51, 69, 50, 49, 70, 69, 52, 48, \u2026]", 20),
+    ("[\n  247, 0, 5, 0,\n    3, 153, 0, 240,\n  ... 241 more items\n]", 8),
+    ("{length = 249, bytes = 0xf7000500 039900f0 00000000 33453231 ... 30303030 }", 16),
+    ("array([247,   0,   5, ...,  48,  48,  48], dtype=uint8)", 3),
+    ("received [247   0   5 ...  48  48  48]", 3),
+    ("Data: f7 00 05 00 03 99 00 ed 06 00 2a 00 02 00 00 00 (truncated)", 16),
+)
+
+
+@each("text, count", CUT)
+def test_a_frame_that_the_text_cuts_is_shown_as_far_as_it_goes(text: str, count: int) -> None:
+    (piece,) = pieces(text)
+    assert (piece.data[:3], len(piece.data), piece.cut, piece.problem) == (b"\xf7\0\5", count, True, None)
+
+
+def test_numbers_with_an_ellipsis_are_not_a_frame() -> None:
+    for text in (
+        "[2, 3, 5, ..., 23, 27, 29]",
+        "[1, 2, 3, ...]",
+        "array([1, 2, 3, ..., 8])",
+        "[9, 7, 0 ... 12 more items]",
+    ):
+        assert pieces(text) == [], text

@@ -13,7 +13,7 @@ import ev3proto
 from ev3proto.text.paste import Pasted, read_text
 
 CONTENTS = [*COMMANDS.values(), *SYSTEM.values()]
-AMBIGUOUS = {"Lua": "digits without an 8 or 9 are octal", "hexdump": "words have an even number of bytes"}
+AMBIGUOUS = {"hexdump": "words have an even number of bytes"}
 """Forms in which a wrong length may be the right one of other bytes."""
 WITHOUT_ENDS = ("Add", "index and number")
 """Forms in which nothing tells where one frame ends and the next begins."""
@@ -53,7 +53,6 @@ def test_a_right_frame_with_more_bytes_is_never_accepted(name: str, frame: bytes
 
 UNREAD_SWAPPED = (
     "bits",
-    "octal array",
     "base64",
     "hexdump",
     "pairs of bytes",

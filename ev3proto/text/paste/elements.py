@@ -148,6 +148,8 @@ FORMS = (
     Form("unknown", EXPRESSION, f"{EXPRESSION}+"),
     Form("marked", "LC1(20)", rf"{_BEFORE}(?:\w{{1,20}}\.)?{_MACRO}"),
     Form("marked", "opNOP", rf"{_BEFORE}(?:[a-z]\w{{0,20}}\.)?(?:op[A-Z]\w+|[A-Z][A-Z0-9_]+){_AFTER}"),
+    Form("cut", "... 12 more bytes", r"(?:\.{3}|\u2026)\s?\(?\d{1,5}\s(?:more\s)?(?:bytes|items)(?:\smore)?\)?"),
+    Form("cut", "(truncated)", r"[\[(<](?:truncated|snip(?:ped)?)[\])>]"),
     Form("cut", "...", r"(?<![.>])(?<!\s\|)(?<!\s\s)\.{3}(?!\.)|\u2026"),
     # Words are stepped over at once.
     Form("word", "length", r"[^\W\d]\w*"),
@@ -267,7 +269,7 @@ def _is_expression(text: str) -> bool:
 # Bytes
 
 BASES = ("hex", "decimal", "bits", "octal", "words", "base64", "unquoted")
-"""What bare digits may be. A run has one base; in strings it says what `\128` is, for `'a'` if it is a digit."""
+"""What bare digits may be. A run has one base; for `'a'` it says if it is a digit."""
 
 UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 """The bases in which a frame must be without a flaw, as any numbers have them."""
@@ -349,13 +351,10 @@ _OF_DIGITS = {
 _WAYS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], bytes | None]], ...] = tuple(
     (re.compile(pattern, re.DOTALL), make)
     for pattern, make in (
-        (r"\.\.\.|\u2026", lambda *_: None),
-        (
-            r"'([0-9a-fA-F]+)'",
-            lambda found, base: _hex(found[1]) if base == "unquoted" else string_bytes(found[1], base),
-        ),
-        (rf"{TEXT}([^\"]*)\"", lambda found, base: string_bytes(found[1], base)),
-        (r"""[^'"`\\xX]*(["'`])(.*)\1""", lambda found, base: string_bytes(found[2], base)),
+        (r"(?:\.\.\.|\u2026).*|\W(?:truncated|snip).*", lambda *_: None),
+        (r"'([0-9a-fA-F]+)'", lambda found, base: _unquoted(found[1], base)),
+        (rf"{TEXT}([^\"]*)\"", lambda found, _: string_bytes(found[1])),
+        (r"""[^'"`\\xX]*(["'`])(.*)\1""", lambda found, _: string_bytes(found[2])),
         (r"b?[\"'].*", lambda *_: None),  # a string without its second quote
         (r"\$([^0-9a-fA-F]|[a-fA-F])", lambda found, base: _character(found[1], base)),
         (rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?", lambda found, _: _hex(found[1])),
@@ -366,7 +365,7 @@ _WAYS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], bytes | None]
         (f"{EXPRESSION}+", lambda *_: b"\0"),
         (_UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM]", "0", found[1]))),
         (rf"{_H}{{2}}(?:_{_H}{{2}})+", lambda found, _: bytes.fromhex(found[0].replace("_", ""))),
-        (r"\\.*", lambda found, base: string_bytes(found[0], base)),
+        (r"\\.*", lambda found, _: string_bytes(found[0])),
         (r".*", lambda found, _: _of_name(found[0])),
     )
 )
@@ -374,7 +373,7 @@ _WAYS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], bytes | None]
 
 
 def _unquoted(text: str, base: str) -> bytes | None:
-    return _hex(text) if base == "unquoted" else string_bytes(text, base)
+    return _hex(text) if base == "unquoted" else string_bytes(text)
 
 
 def _character(letter: str, base: str) -> bytes | None:
@@ -394,36 +393,34 @@ def _bytes_of(text: str, base: str) -> bytes | None:
 _of_long = lru_cache(64)(_bytes_of)
 
 
-def string_bytes(body: str, base: str) -> bytes | None:
-    r"""Returns the bytes of what is between two quotes; in the base "decimal", `\128` is one byte, as in Lua."""
-    known = _CHARACTERS["decimal" if base == "decimal" else "hex"]
-    try:
-        return None if MISSPELT.search(body) else known.escapes.sub(lambda one: known[one[0]], body).encode("latin-1")
-    except UnicodeEncodeError:
-        return None
+_ESCAPES = re.compile(
+    rf"\\(?:u00({_H}{{2}})|[xXu](?:\{{({_H}{{1,2}})\}}|({_H}{{1,2}}))|([0-3]?[0-7]{{1,2}})|(.))", re.DOTALL
+)
 
 
 class _Characters(dict[str, str]):
-    """The characters of escapes, with octal or with decimal digits."""
-
-    def __init__(self, base: int, digits: str) -> None:
-        self._base = base
-        self.escapes = re.compile(
-            rf"\\(?:u00({_H}{{2}})|[xXu](?:\{{({_H}{{1,2}})\}}|({_H}{{1,2}}))|({digits})|(.))", re.DOTALL
-        )
+    """The characters of escapes."""
 
     def __missing__(self, escape: str) -> str:
-        found = self.escapes.fullmatch(escape)
+        found = _ESCAPES.fullmatch(escape)
         assert found is not None
-        *digits, number, other = found.groups()
+        *digits, octal, other = found.groups()
         if other is not None:
             # A letter without a meaning is itself after its backslash, as in Python.
             return _NAMED.get(other, escape if other.isalpha() else other)
-        code = int(next(filter(None, digits)), 16) if number is None else int(number, self._base)
-        return self.setdefault(escape, chr(code))
+        return self.setdefault(escape, chr(int(octal, 8) if octal else int("".join(filter(None, digits)), 16)))
 
 
-_CHARACTERS = {"hex": _Characters(8, "[0-3]?[0-7]{1,2}"), "decimal": _Characters(10, r"\d{1,3}")}
+_CHARACTERS = _Characters()
+
+
+def string_bytes(body: str) -> bytes | None:
+    """Returns the bytes of what is between two quotes; None where an escape is wrong, or a character is not a byte."""
+    try:
+        return None if MISSPELT.search(body) else _ESCAPES.sub(lambda one: _CHARACTERS[one[0]], body).encode("latin-1")
+    except UnicodeEncodeError:
+        return None
+
 
 _MACRO_CALL = re.compile(r"(?:\w+\.)?(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
 

@@ -28,6 +28,8 @@ from ev3proto.text.paste.runs import AROUND, Part, Row, Run
 from ev3proto.text.paste.strangers import strange_bytes, written
 
 _MOST_STARTS = 8
+_OF_NUMPY = 3
+"""Numbers that numpy shows of a long array, at each end."""
 _MOST_BEFORE = 400
 """Characters in front of bytes in which a word may say which way they went."""
 _WORD = re.compile(r"[\s,:;|\"'`-]{0,2}+(\\?\w[^\s,:;|\"'`\[\](){}<>#/]*)")
@@ -140,6 +142,9 @@ def _is_meant(found: Near, before: str) -> bool:
     data, is_lesson = found.data, before.endswith(("0x|", "0X|"))
     if is_prose(data) and not is_lesson:
         return False
+    if found.cut and _is_proved(found, before):
+        return True
+    is_stopped = found.cut or found.problem is not None
     is_cut = found.cut and len(data) >= LOOKS and may_start(data)  # the text says itself that more follows
     is_begun = may_begin(data) or is_cut or (found.problem is not None and frame_end(data) == len(data))
     is_counted = bool({1, 3} & {*found.run.widths[found.part.first : found.part.last]})
@@ -148,8 +153,22 @@ def _is_meant(found: Near, before: str) -> bool:
     if len(data) >= (2 if is_lesson else LEAST) and is_begun and not is_any:
         return True
     is_listed = len(data) > 1 and (not is_counted or is_open)
-    is_stopped = found.cut or found.problem is not None
     return is_stopped and (is_lesson or is_listed) and is_head(before) and head_of(before).direction is not None
+
+
+_LEFT_OUT = re.compile(r"\D+(\d+) ")
+_NUMPY = re.compile(r"\barray\(|\buint8\b")
+
+
+def _is_proved(found: Near, before: str) -> bool:
+    """Returns whether a mark says how many bytes are left out, and these are missing; or numpy shows three numbers."""
+    rest = found.run.elements[found.part.last :]
+    left_out = _LEFT_OUT.match(rest[0].text) if rest else None
+    if left_out is not None:
+        return len(found.data) >= LENGTH_FIELD and frame_size(found.data) == len(found.data) + int(left_out[1])
+    is_array = len(found.data) == _OF_NUMPY == len(rest) - 1
+    is_said = _NUMPY.search(before) is not None or head_of(before).direction is not None
+    return is_array and is_said and may_begin(found.data)
 
 
 def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
@@ -192,12 +211,12 @@ def _partial(element: TextElement) -> tuple[bytes, int, str]:
     if element.kind == "open":
         is_cut = text.rstrip().endswith(("...", "\u2026"))
         body = _ENDLESS.sub("", text.rstrip(". \u2026") if is_cut else text)
-        data = string_bytes(body[1 + (body[0] == "b") :], "hex") or b""
+        data = string_bytes(body[1 + (body[0] == "b") :]) or b""
         return data, element.start, "" if is_cut else "the string that starts here never ends"
     if slip := MISSPELT.search(text):
         at = slip.start("escape")
         quote = next((place for place, sign in enumerate(text[:at]) if sign in "\"'`"), -1)
-        return string_bytes(text[quote + 1 : at], "hex") or b"", element.start + at, not_a_byte(slip["escape"])
+        return string_bytes(text[quote + 1 : at]) or b"", element.start + at, not_a_byte(slip["escape"])
     is_odd = _is_hex(text) and len(text) > 4 and len(text) % 2 == 1
     return bytes.fromhex(text[:-1]) if is_odd else b"", element.start, not_a_byte(text)
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from itertools import accumulate, pairwise
 from typing import NamedTuple
@@ -33,6 +33,8 @@ _BASE64 = re.compile(r"(?<![\w+/.-])[\w+/-][AQgw][A-P][\w+/-]{5,}={0,2}(?![\w+/=
 _TEXT = re.compile(r"  |[.]| [|(]")
 _NUMBER = re.compile(r"(?:0x)?[0-9a-fA-F]+|\w+(?=\s?\()")
 _WORD = re.compile(r"[A-Za-z]{2}")
+_WIDE = 4
+"""Digits of an element that may be more than a byte."""
 _FEW = 3
 """Elements of a line each of which may be the only byte in it."""
 _COLUMN = 7
@@ -153,32 +155,49 @@ class Run:
         return self.elements[part.first + first], self.elements[part.first + last]
 
 
+class _Digits(NamedTuple):
+    """Bare digits: the texts, their widths, whether nothing else is among them, and whether a number is negative."""
+
+    texts: list[str]
+    widths: set[int]
+    are_all: bool
+    are_signed: bool
+
+    @property
+    def are_padded(self) -> bool:
+        """Whether one of two digits begins with a zero."""
+        return any(len(text) == 2 and text[0] == "0" for text in self.texts)
+
+
+_BY_DIGITS: tuple[tuple[str, Callable[[_Digits], bool], tuple[str, ...]], ...] = (
+    ("00001111 00000000 00000010", lambda one: one.widths == {8} and {*"".join(one.texts)} <= {*"01"}, ("bits",)),
+    ("15, 0, -128", lambda one: one.are_signed, ("decimal", "hex")),
+    ("0f 00 80", lambda one: one.widths == {2} and one.are_padded, ("hex",)),
+    ("0f000000 8000, 0f 0 80", lambda one: max(one.widths) >= _WIDE or one.are_padded, ("hex", "decimal")),
+    ("10 20 30", lambda one: one.widths == {2} and one.are_all, ("hex", "decimal")),
+    ("15 0 128", lambda _: True, ("decimal", "hex")),
+)
+"""The bases of bare digits, the likeliest first: an example, what tells them; the first row that fits counts."""
+
+_BY_WIDTH = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
+"""The digits that one element must have to be read in a base that any digits may have."""
+
+
 def _bases(elements: Sequence[TextElement], kinds: set[str]) -> Sequence[str]:
     """Returns the bases that elements may have, the likeliest first; bare digits tell by their widths and zeros."""
     texts = [one.text for one in elements if one.kind == "digits"]
-    if len(texts) > 1 and len(texts[0]) >= 4 > max(map(len, texts[1:])):
+    if len(texts) > 1 and len(texts[0]) >= _WIDE > max(map(len, texts[1:])):
         texts = texts[1:]  # an offset
-    more = ("unquoted",) if "character" in kinds else ()
-    if not texts:
-        is_decimal = any(one.kind == "string" and re.search(r"\\\d{0,2}[89]", one.text) for one in elements)
-        return (*(("decimal", "hex") if is_decimal else ("hex", "decimal") if "string" in kinds else ("hex",)), *more)
-    widths, are_all = {*map(len, texts)}, len(texts) == len(elements)
-    are_padded = any(len(text) == 2 and text[0] == "0" for text in texts)
-    if widths == {8} and {*"".join(texts)} <= {*"01"}:
-        bases: tuple[str, ...] = ("bits",)
-    elif widths == {4} and all(text[0] == "0" for text in texts):
-        bases = ("octal", "hex")
-    elif not are_all and any(one.text[0] == "-" for one in elements):
-        bases = ("decimal", "hex")
-    elif widths == {2} and are_padded:
-        bases = ("hex",)
-    else:
-        is_hex = max(widths) >= 4 or are_padded or (widths == {2} and are_all)
-        bases = ("hex", "decimal") if is_hex else ("decimal", "hex")
-    if bases != ("bits",) or len(texts) <= 2:
-        least = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
-        bases = (*bases, *(base for base, digits in least if max(widths) >= digits and base not in bases))
-    return (*bases, *more)
+    bases: tuple[str, ...] = ("hex",)
+    if texts:
+        are_all = len(texts) == len(elements)
+        is_signed = not are_all and any(one.text[0] == "-" for one in elements)
+        digits = _Digits(texts, {*map(len, texts)}, are_all, is_signed)
+        bases = next(bases for _, is_so, bases in _BY_DIGITS if is_so(digits))
+        if bases != ("bits",) or len(texts) <= 2:
+            most = max(digits.widths)
+            bases = (*bases, *(base for base, least in _BY_WIDTH if most >= least and base not in bases))
+    return (*bases, "unquoted") if "character" in kinds else bases
 
 
 class Row:

@@ -67,8 +67,7 @@ _SENTENCES = {
 }
 """What `ops` and the assembler say of a value; of others, which numbers are legal."""
 
-_OF_FLOATS = range(1 << 128)
-"""Whole numbers that a float may be."""
+_BEYOND_FLOATS = 1 << 128
 
 _LEFT_TO_ENCODING = (Wrong.TEXT, Wrong.NUMBER, Wrong.NAN_FLOAT)
 """The encoder refuses these with the names of an enumeration; a float may be sent that is not a number."""
@@ -223,8 +222,10 @@ def _check_meaning(known: ParameterFacts, value: float | str) -> None:
     parameter = known.parameter
     number = parameter.number_of(value) if isinstance(value, str) else value
     meant = value if number is None else number
-    if parameter.type is Type.DATAF and isinstance(meant, int):
-        meant = float(meant) if abs(meant) in _OF_FLOATS else math.inf
+    if isinstance(meant, int):
+        meant = int(meant)  # for a member of an enumeration, `in` would try each number of a range
+        if parameter.type is Type.DATAF:
+            meant = float(meant) if abs(meant) < _BEYOND_FLOATS else math.inf
     judgement = judge(known, TEXT if isinstance(meant, str) else CONSTANT, meant)
     if judgement is None or judgement.wrong in _LEFT_TO_ENCODING:
         return

@@ -53,7 +53,7 @@ class RecoveredFile:
     path: str  # its path on the brick; for pieces whose beginning was not captured, what is known of them
     command: str | None  # the command that began the transfer, None if it was not captured
     direction: str  # `to brick` or `from brick`
-    peer: str
+    peer: str  # the brick's address, in a text its label if it has one
     bytes: int  # number of transferred bytes
     size: int | None  # size of the whole file in bytes, None if unknown
     outcome: FileState  # complete if the brick answered the last piece; refused if it did so before any byte was moved
@@ -212,7 +212,7 @@ class _Moving:
 
 TO_BRICK, FROM_BRICK = "to brick", "from brick"
 
-_Loose = tuple[str, str, int]
+_Loose = tuple[tuple[str, int], str, int]
 """The key of pieces without a known file: brick, direction and handle."""
 
 
@@ -225,7 +225,7 @@ class _Files:
         self._listings = listings
         self._known: dict[int, _Moving] = {}
         self._loose: dict[_Loose, _Moving] = {}
-        self._images: dict[str, _Moving] = {}
+        self._images: dict[tuple[str, int], _Moving] = {}
         self._is_full = False
 
     def take(self, events: Iterable[Event]) -> CaptureError | None:
@@ -293,17 +293,17 @@ class _Files:
         is_command = isinstance(message, SystemCommand)
         if not begins and not any(field.kind is FieldKind.DATA for field in entry.request):
             return None
-        if is_command and (begins or record.peer not in self._images):
+        if is_command and (begins or record.end not in self._images):
             address, size = message.fields.get("address"), message.fields.get("image_size")
-            self._images.pop(record.peer, None)
+            self._images.pop(record.end, None)
             path, name = "flash memory, its address was not captured", "flash.bin"
             if isinstance(address, int):
                 path, name = f"flash memory from 0x{address:08X}", f"flash-0x{address:08x}.bin"
             begun = self._new(record, path, (name,), TO_BRICK, entry.name if begins else None)
             if begun is not None:
                 begun.stated = size if isinstance(size, int) else None
-                self._images[record.peer] = begun
-        return self._images.get(record.peer)
+                self._images[record.end] = begun
+        return self._images.get(record.end)
 
     def _of_handle(
         self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
@@ -313,11 +313,11 @@ class _Files:
         if not isinstance(handle, int):
             return None
         direction = FROM_BRICK if entry.name in UPLOADS else TO_BRICK
-        key = (record.peer, direction, handle)
+        key = (record.end, direction, handle)
         if entry.transfer != "continue":
             # From now on the handle belongs to another file.
-            self._loose.pop((record.peer, TO_BRICK, handle), None)
-            self._loose.pop((record.peer, FROM_BRICK, handle), None)
+            self._loose.pop((record.end, TO_BRICK, handle), None)
+            self._loose.pop((record.end, FROM_BRICK, handle), None)
         moving = self._loose.get(key)
         if moving is None and piece_of(message):
             path = f"handle {handle}, its path was not captured"
@@ -337,7 +337,8 @@ class _Files:
         if number >= MOST_FILES:
             self._is_full = True
             return None
-        moving = _Moving(number, path, parts, command, direction, record.peer, record.number, record.number)
+        peer = record.label or record.peer
+        moving = _Moving(number, path, parts, command, direction, peer, record.number, record.number)
         self.all.append(moving)
         return moving
 

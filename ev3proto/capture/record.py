@@ -226,7 +226,14 @@ class Record:
         written = self.written
         if written is None:
             return Seen(self.route.direction, missing=self.missing, frame=self.frame)
-        return Seen(written.direction, written.time, self.missing, frame=self.frame, unknown=written.unknown)
+        return Seen(
+            written.direction,
+            written.time,
+            self.missing,
+            frame=self.frame,
+            unknown=written.unknown,
+            label=self.label,
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Returns it as `ev3proto decode --json` prints it, for other tools; bytes are hex."""
@@ -235,7 +242,9 @@ class Record:
 
     def circumstances(self) -> dict[str, Any]:
         """Returns time, place and dialogue for other tools, without `time` for a log without times."""
-        entry = place_record(self)
+        entry = place_record(self) | {"connection": self.connection}
+        if self.label:
+            entry["label"] = self.label
         if self.request is not None:
             entry |= {"answers": self.request.number, "latency": self.latency}
         return entry
@@ -312,6 +321,11 @@ class Record:
     def peer(self) -> str:
         """Address of the brick."""
         return self.route.peer
+
+    @property
+    def end(self) -> tuple[str, int]:
+        """What its brick is counted by: the address, and in a text, which has none, the connection."""
+        return self.route.peer, self.connection if self.route.is_text else 0
 
     @property
     def direction(self) -> Direction | None:

@@ -100,7 +100,7 @@ class Noted:
 class PeerSummary:
     """The traffic between the computer and one brick, or all of them."""
 
-    name: str  # the brick's address, or `all`
+    name: str  # the brick's address, in a text its label if it has one, or `all`
     messages: Amount = field(default_factory=Amount)  # frames and their bytes
     kinds: dict[str, Amount] = field(default_factory=dict)  # the same by kind: direct-command, direct-reply, ...
     # each operation, those with the most commands first
@@ -261,7 +261,7 @@ class Statistics:
 
     def __init__(self) -> None:
         self._whole = _Peer("all")
-        self._peers: dict[str, _Peer] = {}
+        self._peers: dict[tuple[str, int], _Peer] = {}
         self._further = 0
         self._texts: dict[str, Amount] = {}
         self._waiting: deque[Record] = deque()
@@ -307,9 +307,9 @@ class Statistics:
     def _record(self, record: Record) -> None:
         message = record.message
         if record.fault is not None and len(self._faults) < MOST_LISTED:
-            self._faults.append(Noted(record.number, record.peer, str(record.fault)))
+            self._faults.append(Noted(record.number, record.label or record.peer, str(record.fault)))
         self._missing_bytes += record.missing
-        counted = self._counted(record.peer)
+        counted = self._counted(record)
         self._further += len(counted) == 1
         for each in counted:
             each.message(record)
@@ -334,13 +334,13 @@ class Statistics:
         while self._waiting and (self._waiting[0].answered is not None or len(self._waiting) > MOST_PENDING):
             self._settle_oldest()
 
-    def _counted(self, peer: str) -> tuple[_Peer, ...]:
+    def _counted(self, record: Record) -> tuple[_Peer, ...]:
         """Returns the counts to which a brick's messages are added: the total, and its own up to the limit."""
-        if peer not in self._peers:
+        if record.end not in self._peers:
             if len(self._peers) >= MOST_PEERS:
                 return (self._whole,)
-            self._peers[peer] = _Peer(peer)
-        return self._whole, self._peers[peer]
+            self._peers[record.end] = _Peer(record.label or record.peer)
+        return self._whole, self._peers[record.end]
 
     def _settle_oldest(self) -> None:
         """Removes the oldest pending command, which counts as unanswered unless it has a reply."""
@@ -348,9 +348,9 @@ class Statistics:
         if command.answered is not None:
             return
         carried = _carried(command.message)
-        for each in self._counted(command.peer):
+        for each in self._counted(command):
             each.no_reply(carried)
-        self._unanswered.append(Noted(command.number, command.peer, _listed(tuple(carried))))
+        self._unanswered.append(Noted(command.number, command.label or command.peer, _listed(tuple(carried))))
         if len(self._unanswered) > 2 * MOST_LISTED:
             # Commands are not always settled in their order.
             self._unanswered.sort(key=lambda noted: noted.packet)
@@ -364,7 +364,7 @@ class Statistics:
             if len(self._transfers) >= MOST_TRANSFERS:
                 self._transfers_left_out += begins(record.message)
                 return
-            moving = _Moving(transfer, record.time_ns, record.time_ns, record.number, record.peer)
+            moving = _Moving(transfer, record.time_ns, record.time_ns, record.number, record.label or record.peer)
             self._transfers[id(transfer)] = moving
         moving.last_ns = max(moving.last_ns, record.time_ns)
         moving.failed |= is_error(record.message)

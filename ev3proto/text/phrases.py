@@ -155,6 +155,7 @@ class Seen(NamedTuple):
     latency: float | None = None  # for a reply: seconds since then
     frame: bytes | None = None  # the message's bytes if available, which saves building them
     unknown: frozenset[int] = frozenset()  # the offsets of bytes that a text did not give, and which were read as zero
+    label: str = ""  # what a text names beside the direction, such as `leader` or `COM3`
 
 
 def origin(seen: Seen) -> Spans:

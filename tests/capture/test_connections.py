@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 from support.cli import run_ev3proto_text
@@ -144,3 +145,20 @@ def test_without_labels_only_one_that_fits_is_sure(lines: list[str], expected: l
         text += f"sent {sizes[line]} {line.replace(':', ' ')}\n" if line in sizes else f"received {line}\n"
     shown = run_ev3proto_text("decode", "--dialogues", "-", stdin=text).stdout.splitlines()
     assert [line.partition(" -> ")[2] for line in shown] == expected
+
+
+def test_what_is_counted_and_written_for_each_label(tmp_path: Path) -> None:
+    text = LABELLED
+    for label, handle, data in (("A", "00", "31 32 33"), ("B", "01", "34 35 36")):
+        text += f"[{label}] Sent 12 00 05 00 01 92 03 00 00 00 2E 2E 2F 70 72 6A 73 2F 61 00\n"
+        text += f"[{label}] Recv 06 00 05 00 03 92 00 {handle}\n[{label}] Sent 08 00 06 00 81 93 {handle} {data}\n"
+    summary = json.loads(run_ev3proto_text("stats", "--json", "-", stdin=text).stdout)
+    assert [(each["name"], each["messages"]["messages"]) for each in summary["peers"]] == [("A", 6), ("B", 7)]
+    run_ev3proto_text("files", "-o", tmp_path, "-", stdin=text)
+    assert [(tmp_path / name / "prjs/a").read_text() for name in "AB"] == ["123", "456"]
+    (first, *_) = (
+        json.loads(line) for line in run_ev3proto_text("decode", "--json", "-", stdin=text).stdout.splitlines()
+    )
+    assert first["label"] == "A"
+    filtered = run_ev3proto_text("decode", "--json", "--filter", "connection == B", "-", stdin=text).stdout.splitlines()
+    assert {(each["label"], each["connection"]) for each in map(json.loads, filtered)} == {("B", 2)}

@@ -40,7 +40,7 @@ _PLACE: Schema = {
 }
 """Keys for the place of a frame in a capture."""
 
-_SEEN: Schema = {"direction": maybe(_DIRECTION), "time": TEXT, **_PLACE}
+_SEEN: Schema = {"direction": maybe(_DIRECTION), "label": TEXT, "time": TEXT, **_PLACE, "connection": WHOLE}
 """Keys of messages from a log or a capture."""
 
 _LINKED: Schema = {"answers": WHOLE, "latency": maybe(NUMBER), "note": TEXT}

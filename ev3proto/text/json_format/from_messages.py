@@ -39,6 +39,7 @@ def record(exchange: Exchange, seen: Seen) -> dict[str, Any]:
         "length": _length(message, frame),
         "counter": None if message.type is None else message.counter,
         "direction": seen.direction,
+        "label": seen.label or None,
         "time": seen.time,
         **_CONTENTS.get(type(message), lambda _: {})(message),
         **_values(exchange),

@@ -12,6 +12,7 @@ from typing import TypeAlias
 from ev3proto.capture.record import Event, Record, utc
 from ev3proto.dialogue import Value
 from ev3proto.messages import DirectCommand, SystemCommand
+from ev3proto.semantics.pairing import UNSURE
 
 LATENCY = "latency"
 """The column of each reply's latency, in seconds."""
@@ -31,7 +32,7 @@ class Row:
 
     time_ns: int  # its time, in nanoseconds since 1970-01-01 UTC
     packet: int
-    peer: str  # address of the brick
+    peer: str  # address of the brick, in a text its label if it has one
     cells: dict[str, Cell]  # its values by the names of their columns
     is_timed: bool = True  # its time is known
     file: str | None = None  # the name of its file, if given
@@ -51,6 +52,7 @@ class Series:
     rows: list[Row] = field(default_factory=list)  # in the order of the capture
     size: int = 0  # number of rows and their values together; long texts count as several
     omitted: int = 0  # number of rows beyond MOST_CELLS, which are not kept
+    unsure: int = 0  # number of rows of replies that another command may have asked for
     quantities: dict[str, str] = field(default_factory=dict)  # of columns with readings of devices: what they are
 
     def extend(self, other: Series) -> None:
@@ -58,6 +60,7 @@ class Series:
         self.units = {**self.units, **other.units}
         self.quantities |= other.quantities
         self.rows += other.rows
+        self.unsure += other.unsure
         self.size += other.size
         self.omitted += other.omitted
 
@@ -101,7 +104,10 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
             cells[column] = cell
             found.size += len(cell) // _CELL if isinstance(cell, str) else 0
         found.size += 1 + len(cells)
-        found.rows.append(Row(event.time_ns, event.number, event.peer, cells, event.route.is_timed, file))
+        found.unsure += event.note == UNSURE
+        found.rows.append(
+            Row(event.time_ns, event.number, event.label or event.peer, cells, event.route.is_timed, file)
+        )
     if not any(LATENCY in row.cells for row in found.rows):
         del found.units[LATENCY]
     return found

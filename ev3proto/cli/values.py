@@ -66,6 +66,8 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
         problems.wrong(f"{counted(found.omitted, 'row')} omitted: {kept}")
     if not found.rows:
         problems.end_without(f"{captures.label}: no reply with its command found{captures.passed_over}")
+    if found.unsure:
+        complain(f"{counted(found.unsure, 'row')} may answer another command: several with its counter waited")
     start = captures.account.first_ns or 0
     found = _narrowed(found, "csv" if as_csv else "json" if as_json else "")
     if plot is not None:

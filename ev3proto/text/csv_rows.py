@@ -31,7 +31,7 @@ class CsvRow(NamedTuple):
 
     offset     of its first byte in the frame
     operation  the operation or system command that it belongs to, such as `SOUND.TONE`; empty if unknown
-    name       of the parameter or field; `status`, `memory`, `payload`, `fault`, `missing`; empty for an operation
+    name       of the parameter or field; `status`, `memory`, `payload`, `fault`, `missing`, `note`; else empty
     value      a number, or a text
     unit       of the number, such as `Hz`; empty if it has none
     """
@@ -62,6 +62,8 @@ def rows(exchange: Exchange, unknown: frozenset[int] = frozenset(), missing: int
         yield CsvRow(message.fault.offset, "", "fault", message.fault.reason)
     elif is_empty:
         yield from _status(message, of=_of(message))
+    if exchange.note is not None:
+        yield CsvRow(0, "", "note", exchange.note)
 
 
 def _of(message: Message) -> str:

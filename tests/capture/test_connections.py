@@ -145,6 +145,11 @@ def test_without_labels_only_one_that_fits_is_sure(lines: list[str], expected: l
         text += f"sent {sizes[line]} {line.replace(':', ' ')}\n" if line in sizes else f"received {line}\n"
     shown = run_ev3proto_text("decode", "--dialogues", "-", stdin=text).stdout.splitlines()
     assert [line.partition(" -> ")[2] for line in shown] == expected
+    unsure = sum("unsure" in line for line in expected)
+    for words in (("decode", "--format", "csv"), ("decode", "--json"), ("decode", "--format", "sentence")):
+        assert run_ev3proto_text(*words, "-", stdin=text).stdout.count("the pairing is unsure") == unsure
+    told = run_ev3proto_text("values", "-", stdin=text).stderr
+    assert ("may answer another command" in told) == (unsure > 0)
 
 
 def test_what_is_counted_and_written_for_each_label(tmp_path: Path) -> None:

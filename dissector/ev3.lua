@@ -1385,8 +1385,10 @@ do
             encoding, value, after = read_argument(text, at + 1)
             if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
             if encoding.kind ~= CONSTANT then
+                local said = encoding.kind == JUMP and "a label" or "a string"
+                if encoding.scope then said = encoding.scope .. value .. ")" end
                 local reason = "CMD of %s is %s, but must be a constant"
-                return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
+                return nil, at + 1, format(reason, operation.name, said), "unknown_cmd"
             end
             if not commands[value] then
                 local numbers, known = {}, {}
@@ -4426,4 +4428,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 79f94710cc80d5cd
+-- Checksum of the lines above, by which a changed file is recognised: 1dc2ad0cd2b887bc

@@ -11,7 +11,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
-from ev3proto.messages import Argument, Operation, PartialOperation
+from ev3proto.messages import Argument, Operation, PartialOperation, Variable
 from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Opcode, Parameter, Type
@@ -378,7 +378,9 @@ class InstructionSet:
         stop = read_arguments(_CMD, data, at + 1, end, found)
         cmd = found[0]
         if cmd.kind != CONSTANT:
-            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {cmd.encoding}, but must be a constant")
+            index, kind = cmd.value, cmd.kind
+            said = str(Variable(kind, index)) if cmd.is_variable and isinstance(index, int) else f"a {kind}"
+            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {said}, but must be a constant")
         schema = family.commands.get(cmd.value)
         if schema is None:
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))

@@ -572,7 +572,7 @@ FAULTS = {
         "unknown_cmd", "at offset 8: SOUND has no CMD 31 (it has 0 BREAK, 1 TONE, 2 PLAY, ...)", "94 1F 01"
     ),
     "0800 0200 80 0000 94 41 01": Told(
-        "unknown_cmd", "at offset 8: CMD of SOUND is LV0, but must be a constant", "94 41 01"
+        "unknown_cmd", "at offset 8: CMD of SOUND is LV(1), but must be a constant", "94 41 01"
     ),
     "0900 0300 80 0000 94 01 05 82": Told(
         "cut_off", "at offset 10: the argument FREQUENCY runs past the end of the frame", "82"

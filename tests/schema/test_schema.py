@@ -453,7 +453,7 @@ def test_daisy_sensor_report() -> None:
         ("04:00|2A:00|00|00", 6, "ends before the two bytes that request memory"),
         ("06:00|2A:00|00|00:00|FE", 7, "unknown opcode 0xFE"),
         ("07:00|2A:00|00|00:00|94:1F", 8, "SOUND has no CMD 31"),
-        ("07:00|2A:00|00|00:00|94:60", 8, "CMD of SOUND is GV0"),
+        ("07:00|2A:00|00|00:00|94:60", 8, "CMD of SOUND is GV(0), but must be a constant"),
         ("06:00|2A:00|00|00:00|94", 8, "CMD"),
         ("08:00|2A:00|00|00:00|A4:00:01", 10, "the frame ends before the argument POWER"),
         ("0A:00|2A:00|00|00:00|A4:00:01:82:14", 10, "POWER runs past the end of the frame"),

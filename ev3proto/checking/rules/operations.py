@@ -430,7 +430,7 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
         return codes.VARIABLE_CMD.finding(
             at,
             cmd.length,
-            f"CMD of {name} is {encoding.name}, but must be a constant",
+            fault.reason,
             f"use a CMD of {name}; `ev3proto ops {name}` lists them",
             name,
             "CMD",

@@ -127,8 +127,10 @@ do
             encoding, value, after = read_argument(text, at + 1)
             if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
             if encoding.kind ~= CONSTANT then
+                local said = encoding.kind == JUMP and "a label" or "a string"
+                if encoding.scope then said = encoding.scope .. value .. ")" end
                 local reason = "CMD of %s is %s, but must be a constant"
-                return nil, at + 1, format(reason, operation.name, encoding.name), "unknown_cmd"
+                return nil, at + 1, format(reason, operation.name, said), "unknown_cmd"
             end
             if not commands[value] then
                 local numbers, known = {}, {}

@@ -10,6 +10,7 @@ from ev3proto.reading.incoming import LATIN_1
 from ev3proto.reading.items import Problem, ProblemCode, Source
 from ev3proto.text.assembly.assembling import assembled as messages_of
 from ev3proto.text.assembly.errors import AssemblyError
+from ev3proto.text.assembly.python_lists import assembly_in, is_python
 from ev3proto.text.assembly.recognising import OBJECT
 
 _SUBROUTINE = "subcall"
@@ -28,11 +29,12 @@ def assembled(
         unchecked: Accept values that mean nothing to the brick, such as motor port 16.
     """
     text = source.text if isinstance(source.text, str) else source.text.decode("utf-8-sig", LATIN_1)
-    log, name = TextLog(dialect), source.place.name
+    log, name, number = TextLog(dialect), source.place.name, 0
     try:
-        messages = messages_of(text, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked)
-        for number, message in enumerate(messages, 1):
-            yield log.made(message, Place(name, frame=number), number)
+        for part in assembly_in(text) if is_python(text) else (text,):
+            for message in messages_of(part, dialect=dialect, counter=counter, reply=reply, unchecked=unchecked):
+                number, counter = number + 1, message.counter + 1
+                yield log.made(message, Place(name, frame=number), number)
     except AssemblyError as error:
         objects = OBJECT.findall(text)
         if len(objects) <= 1 and _SUBROUTINE not in objects:

@@ -6,7 +6,7 @@ import errno
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator
-from itertools import chain
+from itertools import chain, islice
 
 from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
@@ -21,6 +21,9 @@ _MOST_LABEL = 60
 _HOW_FRAMES_ARE_MADE = "`ev3proto encode` makes frames of it"
 _HAS_BYTES = r"(?:(?<!\w)(?:0x|\\x)?[0-9a-fA-F]{2,8}[\s:,-]{1,3}){4}"
 """Bytes in hex, which need no advice on how to write frames."""
+
+_OPENS = ("[", "(")
+"""The end of a first line that says nothing of what follows: `ops = b''.join([`."""
 
 _SUMMARY = "--- BEGIN:BTSNOOP_LOG_SUMMARY", "--- END:BTSNOOP_LOG_SUMMARY"
 """The lines around a compressed log in a bug report of Android."""
@@ -74,6 +77,9 @@ class TextReader:
         noted = self._noted(self._without_summary(lines))
         if self._options.missing is None and self._options.sources is not Sources.NO:
             first = list(introduction(noted))
+            if self._first_line.rstrip().endswith(_OPENS):
+                first += islice(noted, 1)
+                self._first_line += first[-1]
             noted = chain(first, noted)
             source = self._source(self._first_line.strip())
             if source is not None:

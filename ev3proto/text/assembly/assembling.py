@@ -30,6 +30,7 @@ from ev3proto.text.assembly.syntax import (
     VariableDeclaration,
 )
 from ev3proto.text.assembly.values import Encoder
+from ev3proto.text.paste.elements import narrow
 
 MAX_TEXT = 1 << 24
 """Maximum characters of a text."""
@@ -44,7 +45,7 @@ def assembled(
     """
     if len(text) > MAX_TEXT:
         raise AssemblyError(1, 1, f"the text has {len(text)} characters; at most {MAX_TEXT} can be assembled at once")
-    parser = Parser(text, MACROS)
+    parser = Parser(narrow(text), MACROS)
     work = _Work(check_dialect(dialect), counter, reply, parser.warnings, is_checked=not unchecked)
     for statement in parser.statements():
         if isinstance(statement, SourceError):

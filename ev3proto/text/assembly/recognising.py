@@ -8,6 +8,8 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.source import BYTES, OBJECT_WORDS, OLD_WORDS, PARAMETER_WORDS, VARIABLE_WORDS
 from ev3proto.tables.system import SYSTEM
 from ev3proto.text.assembly.notations import FRAME, MESSAGE
+from ev3proto.text.assembly.python_lists import is_python
+from ev3proto.text.paste.elements import narrow
 
 OBJECT = re.compile(rf"^[ \t]*({'|'.join(OBJECT_WORDS)})[ \t]+[A-Za-z_]", re.MULTILINE)
 """The start of an object in a source. A direct command may be one vmthread."""
@@ -29,10 +31,10 @@ _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
 def is_assembly(line: str) -> bool:
     """Returns whether a line can only be assembly, also a misspelt one, or one with a comment."""
-    code = line.partition("//")[0].strip()
+    code = narrow(line).partition("//")[0].strip()
     if _LOG_LEVEL.match(code):
         return False
-    if _STATEMENT.match(code):
+    if _STATEMENT.match(code) or is_python(line):
         return True
     name = _NAME.match(code)
     return name is not None and name[1].upper() in _NAMES

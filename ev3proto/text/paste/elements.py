@@ -176,6 +176,14 @@ _LOOKALIKES = str.maketrans(
 )
 
 
+_WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
+
+
+def narrow(text: str) -> str:
+    """Returns the text with letters, digits and signs of usual width; it keeps its length."""
+    return text if text.isascii() else text.translate(_WIDE)
+
+
 def clean(line: str) -> str:
     """Returns the line with plain quotes, blanks and dashes; it keeps its length."""
     return line if line.isascii() else line.translate(_LOOKALIKES)

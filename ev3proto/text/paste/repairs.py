@@ -15,6 +15,7 @@ from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, frame_size
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.tables.frame import MESSAGE_TYPES, MessageType
+from ev3proto.text.paste.elements import narrow
 from ev3proto.text.paste.heads import is_head
 from ev3proto.text.paste.judge import Reading, best
 from ev3proto.text.paste.pieces import MAX_TEXT, SlipPlace, short
@@ -25,7 +26,6 @@ _MOST_TRIED = 500
 _LONGEST = 4096
 _DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
 _HEX_WORD = re.compile(r"(?<!\w)(?:0[xX])?([0-9a-fA-F]{9,})(?!\w)")
-_WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 LOOKALIKES = str.maketrans("OolIiАВСЕасеОоХхΑΒΕΟΧ", "00111ABCEace00XxABE0X")
 """Letters that are read for digits in scanned pictures, or were typed on a Russian or Greek keyboard."""
 _MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{''.join(map(chr, LOOKALIKES))}]+(?![^\W_])")
@@ -54,7 +54,7 @@ class Repaired(NamedTuple):
 
 
 def _wide(line: str) -> Iterator[str]:
-    yield line.translate(_WIDE)
+    yield narrow(line)
 
 
 def _lookalikes(line: str) -> Iterator[str]:

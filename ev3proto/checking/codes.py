@@ -55,8 +55,9 @@ class FindingCode(NamedTuple):
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
-NO_PORTS = "NO_PORTS"
-"""A bit mask without a port."""
+NO_PORTS, LONGER = "NO_PORTS", "LONGER"
+ONE_NUMBER, FEWER_BYTES, MORE_BYTES = "ONE_NUMBER", "FEWER_BYTES", "MORE_BYTES"
+"""Names of words: a bit mask without a port, a longer encoding, arrays of other lengths than stated."""
 
 CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
@@ -698,6 +699,16 @@ ARRAY_TOO_SHORT = _code(
     """,
     _sized("2A:00|80|00:00|9F:00:00:08:84:41:42:00"),
     _sized("2A:00|80|00:00|9F:00:00:02:84:41:42:00"),
+    words={
+        ONE_NUMBER: Words(
+            "{length} says that {name} has {stated}, but it is a single number",
+            "write the bytes as a text, or a variable that holds them",
+        ),
+        FEWER_BYTES: Words(
+            "{length} says that {name} has {stated}, but it has {present}, including its zero",
+            "{count}add the missing bytes, up to {stated}",
+        ),
+    },
 )
 NAME_TOO_LONG = _code(
     "E502",
@@ -745,6 +756,9 @@ REST_UNUSED = _code(
     """,
     _sized("2A:00|80|00:00|9F:00:00:01:84:41:42:00"),
     _sized("2A:00|80|00:00|9F:00:00:02:84:41:42:00"),
+    words={
+        MORE_BYTES: Words("{length} says that {name} has {stated}, but it has {present}", "{count}omit the last {rest}")
+    },
 )
 
 # 6: the way through the code
@@ -1101,6 +1115,7 @@ LONGER_FORM = _code(
     """,
     _sized("2A:00|80|00:00|94:01:81:05:82:B8:01:82:E8:03"),
     _sized("2A:00|80|00:00|94:01:05:82:B8:01:82:E8:03"),
+    words={LONGER: Words("{name} is {encoding}, but its value fits {bytes}", "write it as {shorter}{aside}")},
 )
 
 

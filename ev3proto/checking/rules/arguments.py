@@ -112,12 +112,13 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
     aside = ""
     if has_jumps and argument.parameter.role is not Role.JUMP:
         aside = f", and shorten jumps over it by {counted(argument.length - len(shorter), 'byte')}"
-    return operation.finding_at(
-        codes.LONGER_FORM,
-        argument,
-        f"{argument.name} is {argument.encoding}, but its value fits {counted(len(shorter), 'byte')}",
-        f"write it as {shorter.hex(' ').upper()}{aside}",
-    )
+    parts = {
+        "encoding": argument.encoding,
+        "bytes": counted(len(shorter), "byte"),
+        "shorter": shorter.hex(" ").upper(),
+        "aside": aside,
+    }
+    return operation.finding_of(codes.LONGER_FORM, codes.LONGER, argument, parts)
 
 
 def _shorter_way_back(argument: Argument, value: int) -> bytes:
@@ -138,48 +139,26 @@ def check_lists(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]:
-    argument, length, stated, present = array.argument, array.length, array.stated, array.present
-    says = f"{length} says that {argument.name} has {counted(stated, 'byte')}"
+    argument, stated, present, one = array.argument, array.stated, array.present, array.one
+    parts: dict[str, object] = {"length": array.length, "stated": counted(stated, "byte"), "present": present}
     if argument.form.kind == CONSTANT:
         if stated > present:
-            yield operation.finding_at(
-                codes.ARRAY_TOO_SHORT,
-                argument,
-                f"{says}, but it is a single number",
-                "write the bytes as a text, or a variable that holds them",
-            )
+            yield operation.finding_of(codes.ARRAY_TOO_SHORT, codes.ONE_NUMBER, argument, parts)
     elif stated > present:
-        yield operation.finding_at(
-            codes.ARRAY_TOO_SHORT,
-            argument,
-            f"{says}, but it has {present}, including its zero",
-            ", or ".join(
-                (
-                    *_count(operation, array, present // array.one),
-                    f"add the missing bytes, up to {counted(stated, 'byte')}",
-                )
-            ),
-        )
+        parts["count"] = _count(operation, array, present // one)
+        yield operation.finding_of(codes.ARRAY_TOO_SHORT, codes.FEWER_BYTES, argument, parts)
     elif stated < present - 1:
-        yield operation.finding_at(
-            codes.REST_UNUSED,
-            argument,
-            f"{says}, but it has {present - 1}",
-            ", or ".join(
-                (
-                    *_count(operation, array, -(-(present - 1) // array.one)),
-                    f"omit the last {counted(present - 1 - stated, 'byte')}",
-                )
-            ),
-        )
+        count, rest = _count(operation, array, -(-(present - 1) // one)), counted(present - 1 - stated, "byte")
+        parts |= {"present": present - 1, "count": count, "rest": rest}
+        yield operation.finding_of(codes.REST_UNUSED, codes.MORE_BYTES, argument, parts)
 
 
-def _count(operation: CheckedOperation, array: InlineArray, count: int) -> Iterator[str]:
-    """Yields the advice to change the number of values, if the array has that many and the parameter can hold it."""
+def _count(operation: CheckedOperation, array: InlineArray, count: int) -> str:
+    """Returns the advice to change the number of values, if the array has that many and the parameter can hold it."""
     parameter = next(it for it in operation.facts.declaration.parameters if it.name == array.length)
     limits = RANGES.get(parameter.type)
-    if 0 < count * array.one <= array.present and (limits is None or count <= limits.high):
-        yield f"set {array.length} to {count}"
+    is_possible = 0 < count * array.one <= array.present and (limits is None or count <= limits.high)
+    return f"set {array.length} to {count}, or " if is_possible else ""
 
 
 def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[Use], list[Use]]:

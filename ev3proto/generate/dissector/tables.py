@@ -8,7 +8,7 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.checking.codes import CODES, OF_VALUES
+from ev3proto.checking.codes import CODES, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
@@ -437,6 +437,7 @@ def _findings() -> Iterator[str]:
         wrong.name if isinstance(wrong, Wrong) else wrong: Table([entry.code, text.message])
         for entry in CODES.values()
         for wrong, text in entry.words.items()
+        if isinstance(wrong, Wrong) or wrong == NO_PORTS
     }
     yield _assign("FINDINGS", Rows(named=words))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import io
 import random
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
 import pytest
+from support.effort import effort
 from support.messages import tone, voltage, volts
 from support.packets import (
     HCI_WITH_DIRECTION,
@@ -54,108 +56,117 @@ BEACON = ev3proto.Beacon("06165300000a", name="myEV3").build()
 REPORTS = 3000
 
 
-def over_tcp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
-    """The same on 20 connections."""
-    capture = Capture(RAW_IP)
-    for number in range(20):
-        over(capture, Connection(capture, 10_000 + number), stranger(random.Random(number)))
-    return capture.data()
+Stranger = Callable[[random.Random], Iterator[Said]]
 
 
-def over_bluetooth(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
-    capture = Capture(HCI_WITH_DIRECTION)
-    return over(capture, SerialPort(capture), stranger(random.Random(1)))
+def over_tcp(capture: Capture, stranger: Stranger, number: int) -> None:
+    """The same on several connections."""
+    for each in range(effort(8, 20)):
+        ends = HOST, bytes((192, 0, 2, 100 + number))
+        over(capture, Connection(capture, 10_000 + 100 * number + each, ends=ends), stranger(random.Random(each)))
 
 
-def over_udp(stranger: Callable[[random.Random], Iterator[Said]]) -> bytes:
+def over_bluetooth(capture: Capture, stranger: Stranger, number: int) -> None:
+    over(capture, SerialPort(capture, connection=0x00B + number), stranger(random.Random(1)))
+
+
+def over_udp(capture: Capture, stranger: Stranger, number: int) -> None:
     rng = random.Random(1)
-    capture = Capture(RAW_IP)
     for from_host, data in stranger(rng):
-        capture.add(datagram(data, port=3015 if from_host else 6881, target_port=6881 if from_host else 3015))
+        port, other = 3015 + number, 6881 + number
+        ports = (port, other) if from_host else (other, port)
+        capture.add(datagram(data, port=ports[0], target_port=ports[1]))
         capture.add(datagram(rng.randbytes(50)))
-    return capture.data()
 
 
-def over_usb() -> bytes:
-    capture = Capture(USBMON)
-    return over(capture, Device(capture), reports(random.Random(1), REPORTS))
+def over_usb(capture: Capture, stranger: Stranger, number: int) -> None:
+    over(capture, Device(capture, 7 + number), stranger(random.Random(1)))
 
 
-STRANGERS: dict[str, Callable[[], bytes]] = {
-    "adb": lambda: over_tcp(debug_bridge),
-    "tls": lambda: over_tcp(encrypted),
-    "numbered": lambda: over_tcp(numbered),
-    "padded": lambda: over_tcp(padded),
-    "nxt over tcp": lambda: over_tcp(nxt),
-    "mysql": lambda: over_tcp(database),
-    "pieces": lambda: over_tcp(pieces),
-    "opcodes over tcp": lambda: over_tcp(opcodes),
-    "bittorrent": lambda: over_udp(torrent),
-    "similar beacons": lambda: over_udp(similar_beacons),
-    "obex": lambda: over_bluetooth(object_exchange),
-    "nxt": lambda: over_bluetooth(nxt),
-    "modbus": lambda: over_bluetooth(modbus),
-    "mysql over bluetooth": lambda: over_bluetooth(database),
-    "cards": lambda: over_bluetooth(cards),
-    "moves": lambda: over_bluetooth(moves),
-    "opcodes": lambda: over_bluetooth(opcodes),
-    "usb": over_usb,
-    "log sink": lambda: over_tcp(log_sink),
-    "tuner": lambda: over_bluetooth(tuner),
+def many_reports(rng: random.Random) -> Iterator[Said]:
+    return reports(rng, REPORTS)
+
+
+STRANGERS: dict[str, tuple[int, Callable[[Capture, Stranger, int], None], tuple[Stranger, ...]]] = {
+    "tcp": (
+        RAW_IP,
+        over_tcp,
+        (debug_bridge, encrypted, numbered, padded, nxt, database, pieces, opcodes, log_sink),
+    ),
+    "udp": (RAW_IP, over_udp, (torrent, similar_beacons)),
+    "bluetooth": (
+        HCI_WITH_DIRECTION,
+        over_bluetooth,
+        (object_exchange, nxt, modbus, database, cards, moves, opcodes, tuner),
+    ),
+    "usb": (USBMON, over_usb, (many_reports,)),
 }
+"""By carrier: the capture's link, and what is said over it."""
 
 MOST = 0.01
 """This number of other programs' packets may be taken for ours; but of real programs', none."""
 
-REAL = ("log sink", "tuner")
+REAL = (log_sink, tuner)
 """Traffic that was once taken for ours, made anew."""
 
 
 @cache
-def said_by(stranger: str) -> tuple[bytes, float]:
-    """A capture, and the number of its packets that may be taken for ours."""
-    data = STRANGERS[stranger]()
-    capture = read(io.BytesIO(data))
-    list(capture.events())
-    return data, 0 if stranger in REAL else MOST * capture.account.packets
+def strangers(carrier: str) -> tuple[bytes, dict[Stranger, range]]:
+    """A capture of all strangers on a carrier, each with an end of its own, and the packets of each."""
+    link, add, programs = STRANGERS[carrier]
+    capture, packets = Capture(link), {}
+    for number, stranger in enumerate(programs):
+        first = capture.count + 1
+        add(capture, stranger, number)
+        packets[stranger] = range(first, capture.count + 1)
+    return capture.data(), packets
 
 
-@pytest.mark.parametrize("stranger", STRANGERS)
-def test_strangers_are_left_to_wireshark(tshark: Tshark, stranger: str) -> None:
-    data, most = said_by(stranger)
-    found = tshark.run(tshark.place(data, "strangers.pcap"), "-Y", "ev3").splitlines()
-    assert len(found) <= most
+def assert_few(carrier: str, taken: Iterable[int]) -> None:
+    """Fails if more packets of a stranger are taken for ours than may be."""
+    numbers = Counter(taken)
+    for stranger, packets in strangers(carrier)[1].items():
+        most = 0 if stranger in REAL else MOST * len(packets)
+        found = {number: count for number, count in numbers.items() if number in packets}
+        assert sum(found.values()) <= most, (stranger.__name__, found)
 
 
-@pytest.mark.parametrize("stranger", STRANGERS)
-def test_strangers_are_left_to_others_by_the_built_in_reader(stranger: str) -> None:
-    data, most = said_by(stranger)
-    assert len(list(read(io.BytesIO(data)).events())) <= most
+def taken_by(tshark: Tshark, data: bytes, filter_: str) -> list[int]:
+    path = tshark.place(data, "strangers.pcap")
+    return [int(line) for line in tshark.run(path, "-Y", filter_, "-T", "fields", "-e", "frame.number").split()]
 
 
-@pytest.mark.parametrize("stranger", STRANGERS)
-def test_strangers_are_left_to_others_where_only_the_beginnings_of_packets_were_captured(stranger: str) -> None:
-    whole, most = said_by(stranger)
+@pytest.mark.parametrize("carrier", STRANGERS)
+def test_strangers_are_left_to_wireshark(tshark: Tshark, carrier: str) -> None:
+    assert_few(carrier, taken_by(tshark, strangers(carrier)[0], "ev3"))
+
+
+@pytest.mark.parametrize("carrier", STRANGERS)
+def test_strangers_are_left_to_others_by_the_built_in_reader(carrier: str) -> None:
+    assert_few(carrier, (event.number for event in read(io.BytesIO(strangers(carrier)[0])).events()))
+
+
+@pytest.mark.parametrize("carrier", STRANGERS)
+def test_strangers_are_left_to_others_where_only_the_beginnings_of_packets_were_captured(carrier: str) -> None:
     for size in (45, 48, 54, 68, 96):
-        found = read(io.BytesIO(snapped(whole, size))).events()
-        assert sum(isinstance(event, Record) for event in found) <= most, size
+        found = read(io.BytesIO(snapped(strangers(carrier)[0], size))).events()
+        assert_few(carrier, (event.number for event in found if isinstance(event, Record)))
 
 
-@pytest.mark.parametrize("stranger", STRANGERS)
+@pytest.mark.parametrize("carrier", STRANGERS)
 def test_the_dissector_leaves_them_where_only_the_beginnings_of_packets_were_captured(
-    tshark: Tshark, stranger: str
+    tshark: Tshark, carrier: str
 ) -> None:
-    whole, most = said_by(stranger)
     for size in (45, 80):
-        path = tshark.place(snapped(whole, size), "beginnings.pcap")
         # The first label of a beacon may be all that was captured.
-        taken = tshark.run(path, "-Y", "ev3 && !udp", "-T", "fields", "-e", "frame.number").splitlines()
-        assert len(taken) <= most, size
+        assert_few(carrier, taken_by(tshark, snapped(strangers(carrier)[0], size), "ev3 && !udp"))
 
 
 @pytest.mark.parametrize(("stranger", "expected"), [("adb", "data"), ("tls", "tls")])
 def test_wireshark_shows_strangers_on_port_5555_as_without_us(tshark: Tshark, stranger: str, expected: str) -> None:
-    path = tshark.place(said_by(stranger)[0], "strangers.pcap")
+    capture = Capture(RAW_IP)
+    over_tcp(capture, {"adb": debug_bridge, "tls": encrypted}[stranger], 0)
+    path = tshark.place(capture.data(), "strangers.pcap")
     words = ("-T", "fields", "-e", "frame.number", "-e", "frame.protocols", "-e", "_ws.col.Info")
     alone = tshark.run(path, *words, dissector=False)
     assert f"tcp:{expected}\t" in alone

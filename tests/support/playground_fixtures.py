@@ -14,9 +14,9 @@ from support.site import built_site
 
 
 @pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def built() -> Path:
     """The documentation, as it is built."""
-    return built_site(tmp_path_factory)
+    return built_site()
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ Wireshark tells a dissector to omit the parts of the tree that are not needed, a
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -40,11 +41,16 @@ def shown(tshark: Tshark, capture: Path, lines: str, *words: str) -> list[tuple[
     return [(line, re.findall(rf"^(?:{lines}).*", tree, re.MULTILINE)) for line, tree in packets]
 
 
+@cache
+def shown_in_one_pass(tshark: Tshark, capture: Path, lines: str) -> list[tuple[str, list[str]]]:
+    return shown(tshark, capture, lines, "-Y", "ev3", "-o", f"gui.column.format:{INFO}")
+
+
 @pytest.mark.parametrize(("reading", "capture"), CASES, ids=lambda case: getattr(case, "name", case))
 def test_what_is_shown_does_not_depend_on_the_reading(tshark: Tshark, reading: str, capture: Path) -> None:
     # A read filter drops packets to which others are linked.
     lines = READ if reading == "a read filter" else GENERATED
-    once = shown(tshark, capture, lines, "-Y", "ev3", "-o", f"gui.column.format:{INFO}")
+    once = shown_in_one_pass(tshark, capture, lines)
     columns = () if "gui.column" in READINGS[reading][-1] else ("-o", f"gui.column.format:{INFO}")
     again = shown(tshark, capture, lines, *READINGS[reading], *columns)
     assert once

@@ -22,7 +22,7 @@ PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
 def page(browser: Chrome, address: str) -> Iterator[Page]:
     """The page, just opened, which asks a brick for battery and ports every second, as it does for users."""
     page = Page(browser, address)
-    page.open()
+    page.open(wait=False)
     page.run("sessionStorage.setItem('talks', 'yes'); localStorage.removeItem('quiet')")
     page.open()
     yield page

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from selenium.webdriver import Chrome, Keys
 from selenium.webdriver.common.by import By
-from support.browser import chromium, complaints, scrolls_sideways
+from support.browser import chromium, complaints, emulated, scrolls_sideways
+from support.cases import each
 from support.playground import Page, fragment
 from support.scripts import node_modules
 
@@ -38,29 +39,35 @@ def focus(page: Page) -> str:
     return str(page.run("return document.activeElement.id || document.activeElement.tagName"))
 
 
-def violations(page: Page, scheme: str, *without: str) -> list[Any]:
-    """What axe finds on the page as it is now, without some elements: rules, each with some of the elements."""
+def violations(page: Page, *without: str) -> list[Any]:
+    """What axe finds on the page as it is now, without some elements: rules, each with some of the elements.
+
+    In the dark, only colours differ.
+    """
     axe = (node_modules() / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
-    features = [{"name": "prefers-color-scheme", "value": scheme}]
-    page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
     page.browser.execute_cdp_cmd("Runtime.evaluate", {"expression": axe})
     page.browser.set_script_timeout(300)
-    run = "axe.run({exclude: arguments[0]}).then((it) => arguments[1](it.violations))"
-    found: list[Any] = page.browser.execute_async_script(run, [[selector] for selector in without])
-    return [(each["id"], [node["html"][:200] for node in each["nodes"][:3]]) for each in found]
+    run = "axe.run({exclude: arguments[0]}, arguments[1]).then((it) => arguments[2](it.violations))"
+    found: list[Any] = []
+    for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]})):
+        features = [{"name": "prefers-color-scheme", "value": scheme}]
+        page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+        found += page.browser.execute_async_script(run, [[selector] for selector in without], rules)
+    page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    return [(rule["id"], [node["html"][:200] for node in rule["nodes"][:3]]) for rule in found]
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("text", [WRONG, LOG, "", "UI_WRITE(LED, LED_RDE)"], ids=["wrong", "log", "empty", "error"])
-def test_axe_finds_nothing(page: Page, scheme: str, text: str) -> None:
+@each("text", [WRONG, LOG, "", "UI_WRITE(LED, LED_RDE)"])
+def test_axe_finds_nothing(page: Page, text: str) -> None:
+    page.type("")
+    page.wait(lambda: not page.text("findings") and not page.text("error"))
     page.type(text)
     if text:
         page.wait(lambda: page.text("findings") or page.text("error"))
-    assert violations(page, scheme) == []
+    assert violations(page) == []
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_in_what_is_opened(page: Page, scheme: str) -> None:
+def test_axe_finds_nothing_in_what_is_opened(page: Page) -> None:
     # A capture of several pages, its dialogues and timeline; the operations; the panel of a brick, its files.
     page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "ev3_dc.pcap"))
     page.wait(lambda: page.is_shown("pages") and page.text("status") == "")
@@ -74,7 +81,7 @@ def test_axe_finds_nothing_in_what_is_opened(page: Page, scheme: str) -> None:
     page.run("document.querySelector('#brick-files > summary').click()")
     page.wait(lambda: page.text("brick-path"))
     # Its lines are thousands, of the same kinds as those of the log above.
-    found = violations(page, scheme, "#tree", "#findings")
+    found = violations(page, "#tree", "#findings")
     page.click("watch")
     page.disconnect()
     page.run("document.querySelector('#tabs [data-tab=lesson]').click()")
@@ -136,8 +143,8 @@ def test_a_link_of_its_own_is_opened_where_it_is_pasted(page: Page) -> None:
     page.wait(lambda: page.text("sentence") == "Reads the battery voltage.")
 
 
-def test_on_a_phone_nothing_is_covered(address: str, tmp_path: Path) -> None:
-    with chromium(tmp_path / "profile", 390) as browser:
+def test_on_a_phone_nothing_is_covered(browser: Chrome, address: str) -> None:
+    with emulated(browser, 390, 900, is_phone=True):
         page = Page(browser, address)
         page.open(fragment(WRONG))
         page.wait(lambda: page.texts("#findings .error") and page.text("sentence"))
@@ -149,13 +156,9 @@ def test_on_a_phone_nothing_is_covered(address: str, tmp_path: Path) -> None:
             assert page.run(f"return {name}.scrollWidth <= {name}.clientWidth"), name
 
 
-def test_at_twice_the_size_everything_fits(address: str, tmp_path: Path) -> None:
+def test_at_twice_the_size_everything_fits(browser: Chrome, address: str) -> None:
     # A window of 780 pixels, enlarged to twice the size, has 390.
-    with chromium(tmp_path / "profile", 780) as browser:
-        browser.execute_cdp_cmd(
-            "Emulation.setDeviceMetricsOverride",
-            {"width": 390, "height": 450, "deviceScaleFactor": 2, "mobile": False},
-        )
+    with emulated(browser, 390, 450, 2):
         page = Page(browser, address)
         page.open(fragment(WRONG))
         page.wait(lambda: page.texts("#findings .error"))

@@ -55,6 +55,17 @@ def chromium(profile: Path, width: int = 1400) -> Iterator[Chrome]:
         browser.quit()
 
 
+@contextmanager
+def emulated(browser: Any, width: int, height: int, scale: int = 1, *, is_phone: bool = False) -> Iterator[None]:
+    """Gives the page a screen of this size, in pixels of CSS, until the end of the block."""
+    metrics = {"width": width, "height": height, "deviceScaleFactor": scale, "mobile": is_phone}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+    try:
+        yield
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
 def complaints(browser: Any) -> list[str]:
     """Returns the complaints of pages on the console since the last call."""
     return [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]

@@ -6,6 +6,7 @@ client's question about the battery is answered, the most memory in KiB that the
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from collections.abc import Iterator
@@ -44,7 +45,7 @@ def fill(folder: Path) -> None:
     """Makes the fullest folder, a large file, and a large program, unless they are there."""
     full = folder / "prjs/Full"
     full.mkdir(parents=True, exist_ok=True)
-    if sum(1 for _ in full.iterdir()) < FILES:
+    if len(os.listdir(full)) < FILES:  # noqa: PTH208 - in a tenth of the time of iterdir
         for number in range(FILES):
             (full / f"f{number:05}.rtf").write_bytes(b"x")
     for path in (folder / "prjs").iterdir():

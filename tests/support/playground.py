@@ -97,8 +97,8 @@ class Page(NamedTuple):
         return bool(self.run("return document.getElementById(arguments[0]).getClientRects().length > 0", name))
 
     def wait(self, condition: Callable[[], object], seconds: float = 60) -> None:
-        """Waits until a condition holds. The machine may be busy: the time is generous."""
-        WebDriverWait(self.browser, seconds, 0.02).until(lambda _: condition())
+        """Waits until a condition holds. The machine may be busy: the time is generous. To ask costs CPU time, too."""
+        WebDriverWait(self.browser, seconds, 0.05).until(lambda _: condition())
 
     @property
     def is_ready(self) -> bool:

@@ -26,7 +26,7 @@ def address(built: Path) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Chrome]:
     """One browser for all tests, whose pages find fakes for USB and Bluetooth."""
     with chromium(tmp_path_factory.mktemp("browser") / "profile") as browser:

@@ -69,7 +69,7 @@ class _Reader(pyshark.FileCapture):  # type: ignore[misc]
         await super()._cleanup_subprocess(process)
 
 
-@dataclass
+@dataclass(eq=False)
 class Tshark:
     """A tshark that loads `script`; use it in a `with`."""
 

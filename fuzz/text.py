@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records
+from ev3proto.text.json_format.to_messages import RecordError, frames_of_json, read_records
 from ev3proto.text.paste import read_argument, read_bare, read_text
 from ev3proto.text.splitting import split
 
@@ -17,7 +17,7 @@ def one_input(data: bytes) -> None:
         assert b"".join(piece.message.build() for piece in split(pasted.data)) in pasted.data
     try:
         for _, entry in read_records(lines):
-            for frame in frames_in(entry):
+            for frame in frames_of_json(entry):
                 assert frame
     except RecordError as error:
         assert str(error)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from ev3proto.tables.constants import CONSTANTS
-from ev3proto.tables.errors import LOGGED, NUMBERS
+from ev3proto.tables.errors import ERROR_NUMBERS, LOGGED
 
 
 @dataclass
@@ -27,11 +27,11 @@ class Settings:
 
     def log_error(self, name: str) -> None:
         """Adds an error by its name, unless the log is full."""
-        self.log_error_number(NUMBERS[name])
+        self.log_error_number(ERROR_NUMBERS[name])
 
     def log_once(self, name: str) -> None:
         """Adds an error by its name unless it is in the log."""
-        if NUMBERS[name] not in self.errors:
+        if ERROR_NUMBERS[name] not in self.errors:
             self.log_error(name)
 
     def log_error_number(self, number: int) -> None:

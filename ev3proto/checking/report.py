@@ -219,9 +219,9 @@ class Fix:
 
     def __str__(self) -> str:
         """Returns what `ev3proto check --fix` prints."""
-        from ev3proto.text.diagnostics import fix_text  # a higher layer, which renders reports
+        from ev3proto.text.diagnostics import described_fix  # a higher layer, which renders reports
 
-        return fix_text(self)
+        return described_fix(self)
 
     @property
     def is_fixed(self) -> bool:

@@ -42,7 +42,7 @@ from ev3proto.text.fixed_text import fix_pieces, unix_lines
 from ev3proto.text.paste import read_text
 from ev3proto.text.spans import Role
 
-FORMATS: dict[str, Callable[[str], Output]] = {
+REPORTS: dict[str, Callable[[str], Output]] = {
     "text": TextOutput,
     "json": lambda _: JsonOutput(),
     "sarif": lambda _: Sarif(),
@@ -305,7 +305,7 @@ _options = gathered(
     click.option(
         "--format",
         "style",
-        type=click.Choice(tuple(FORMATS)),
+        type=click.Choice(tuple(REPORTS)),
         help="How to show findings (default: text); sarif and github are for continuous integration.",
     ),
     click.option("--carrier", type=click.Choice(CARRIERS), help="What carries the frames; a capture says so itself."),
@@ -354,7 +354,7 @@ def check(names: tuple[str, ...], options: CheckOptions, reading: Options) -> No
             raise incompatible("--explain", "FRAME")
         _explain(options.code, as_json=options.format == "json", dialect=reading.dialect)
         return
-    output = FORMATS[options.format](reading.dialect)
+    output = REPORTS[options.format](reading.dialect)
     problems = Problems(heard=output.complaint)
     is_edited = options.fixes and options.format == "text" and reading.filter is None and reading.missing is None
     sources = replace(reading, whole=MOST_EDITED * is_edited, wanted="command")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ev3proto.capture.record import Announcement, Record
-from ev3proto.cli.formats import FORMATS, Format, made
+from ev3proto.cli.formats import OUTPUT_FORMATS, Format, made
 from ev3proto.cli.options import exclusive
 from ev3proto.cli.reading import Captured, Problems, named, parts_of, reading_options
 from ev3proto.cli.show import Dialogues, matching
@@ -119,7 +119,7 @@ class _Decode(click.Command):
 @click.option(
     "--format",
     "style",
-    type=click.Choice(tuple(FORMATS)),
+    type=click.Choice(tuple(OUTPUT_FORMATS)),
     help="How to show messages (default: tree) and programs (default: listing); `encode` reads asm, lego and json.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object a line, as --format json.")

@@ -54,7 +54,7 @@ class Entry:
         yield from self.about()
 
 
-def named(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
+def named_entry(name: str, number: int, kind: str, text: str, notes: Iterable[str]) -> Entry:
     """Returns the entry of another name than that of an operation: a status, a message type, an encoding."""
     noted = list(notes)
 
@@ -113,7 +113,7 @@ def encoding(byte: int) -> Entry | None:
     text, note = _ENCODINGS[form.name]
     bits = [name for name, is_set in (("handle", form.handle), ("address", form.address)) if is_set]
     notes = [note, *(f"with the {bit} bit" for bit in bits if byte != LABEL_BYTE)]
-    return named(form.name, byte, ENCODING, text, notes)
+    return named_entry(form.name, byte, ENCODING, text, notes)
 
 
 def _first_byte(name: str) -> int:
@@ -127,9 +127,9 @@ def encodings() -> Iterator[Entry]:
         assert entry is not None
         yield entry
     for name, (text, *forms) in _SHORTEST.items():
-        yield named(name, _first_byte(forms[0]), ENCODING, text, [f"{', '.join(forms[:-1])} or {forms[-1]}"])
+        yield named_entry(name, _first_byte(forms[0]), ENCODING, text, [f"{', '.join(forms[:-1])} or {forms[-1]}"])
     for name, (bit, text) in _BITS.items():
-        yield named(name, bit, "bit of an identification byte", text, [])
+        yield named_entry(name, bit, "bit of an identification byte", text, [])
 
 
 def modes() -> Iterator[Entry]:
@@ -140,7 +140,7 @@ def modes() -> Iterator[Entry]:
             values = f"{counted(mode.datasets, 'value')}, {mode.si.least:g} to {mode.si.most:g}{unit}"
             if mode.values:
                 values += f": {'; '.join(map(str, mode.values))}"
-            yield named(
+            yield named_entry(
                 mode.name,
                 number,
                 MODE,
@@ -156,7 +156,7 @@ def modes() -> Iterator[Entry]:
 def error_numbers() -> Iterator[Entry]:
     """Yields the errors that the firmware logs."""
     for number, name in enumerate(ERRORS):
-        yield named(name, number, "error number", "An error of the firmware, as INFO.GET_ERROR reports it", [])
+        yield named_entry(name, number, "error number", "An error of the firmware, as INFO.GET_ERROR reports it", [])
 
 
 def device_types() -> Iterator[Entry]:
@@ -164,4 +164,4 @@ def device_types() -> Iterator[Entry]:
     for device in DEVICE_TYPES.values():
         notes = [f"modes: {', '.join(f'{number} {mode.name}' for number, mode in enumerate(device.modes))}"]
         notes += [] if device.is_sold else ["no device that is sold has this type"]
-        yield named(device.name, device.number, "type of a sensor or motor", device.title, notes)
+        yield named_entry(device.name, device.number, "type of a sensor or motor", device.title, notes)

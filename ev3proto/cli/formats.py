@@ -218,7 +218,7 @@ class Csv(Format):
             self._printer.text(csv_line((*told, *row)))
 
 
-FORMATS: dict[str, type[Format]] = {
+OUTPUT_FORMATS: dict[str, type[Format]] = {
     "tree": Tree,
     "table": Table,
     "sentence": Lines,
@@ -233,7 +233,7 @@ FORMATS: dict[str, type[Format]] = {
 
 def formats_of(what: str) -> tuple[str, ...]:
     """Returns the names of the formats for a `message` or a `program`."""
-    return tuple(name for name, kind in FORMATS.items() if getattr(kind, what) is not getattr(Format, what))
+    return tuple(name for name, kind in OUTPUT_FORMATS.items() if getattr(kind, what) is not getattr(Format, what))
 
 
 def _named(what: str) -> str:
@@ -243,4 +243,4 @@ def _named(what: str) -> str:
 
 def made(name: str | None, *, at_once: bool = False) -> Format:
     """Returns a format by its name; without one, a tree for messages and a listing for programs."""
-    return Default("tree", at_once=at_once) if name is None else FORMATS[name](name, at_once=at_once)
+    return Default("tree", at_once=at_once) if name is None else OUTPUT_FORMATS[name](name, at_once=at_once)

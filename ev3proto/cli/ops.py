@@ -10,7 +10,17 @@ from typing import Any, NoReturn
 
 import click
 
-from ev3proto.cli.entries import ENCODING, MODE, Entry, device_types, encoding, encodings, error_numbers, modes, named
+from ev3proto.cli.entries import (
+    ENCODING,
+    MODE,
+    Entry,
+    device_types,
+    encoding,
+    encodings,
+    error_numbers,
+    modes,
+    named_entry,
+)
 from ev3proto.cli.options import AREA, AREAS_HELP, dialect_option, json_option
 from ev3proto.cli.output import Failure, Printer, say_json
 from ev3proto.errors import near_misses
@@ -76,13 +86,13 @@ def _entries(dialect: str) -> list[Entry]:
         *(_operation(declaration, dialect) for declaration in operations(dialect).values()),
         *map(_system, SYSTEM),
         *(
-            named(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
+            named_entry(opcode.name, opcode.number, "opcode of no firmware", opcode.text, [opcode.note])
             for opcode in OPCODES
             if opcode.dialects == UNRELEASED
         ),
         *map(_status, SystemStatus),
         *(
-            named(member.name, member, "message type", text, filter(None, [TYPE_ADVICE.get(member)]))
+            named_entry(member.name, member, "message type", text, filter(None, [TYPE_ADVICE.get(member)]))
             for member, text in TYPE_MEANINGS.items()
         ),
     ]
@@ -168,7 +178,7 @@ def _status(status: SystemStatus) -> Entry:
     notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
     if status in UNUSED_STATUSES:
         notes = ["no command of the published firmware answers with it"]
-    return named(status.name, status, "status", text, notes)
+    return named_entry(status.name, status, "status", text, notes)
 
 
 def _exact(entries: list[Entry], words: tuple[str, ...]) -> list[Entry]:

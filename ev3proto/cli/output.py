@@ -24,7 +24,7 @@ from ev3proto.cli.options import FILE, F
 from ev3proto.text.spans import Role, Spans, plain_text, visible, visible_lines
 from ev3proto.whole_files import whole_file
 
-STYLES: dict[str, dict[str, Any]] = {
+COLOURS: dict[str, dict[str, Any]] = {
     Role.HEADING: {"bold": True},
     Role.OPERATION: {"fg": "cyan", "bold": True},
     Role.NAME: {"fg": "green"},
@@ -114,7 +114,7 @@ class Printer:
 def _painted(line: Spans) -> str:
     """Returns a line with its colours as escape sequences."""
     return "".join(
-        click.style(visible(text), **STYLES[role]) if role in STYLES else visible(text) for text, role in line
+        click.style(visible(text), **COLOURS[role]) if role in COLOURS else visible(text) for text, role in line
     )
 
 

@@ -10,7 +10,7 @@ from ev3proto.generate.dissector import build as dissector
 from ev3proto.generate.exported import EXPORTED
 from ev3proto.generate.modules.source import MARK
 from ev3proto.generate.pages import build as pages
-from ev3proto.generate.pages.markdown import MARK as PAGE_MARK
+from ev3proto.generate.pages.markdown import PAGE_MARK
 
 COMMAND = "python -m ev3proto.generate"
 """The command that regenerates everything."""

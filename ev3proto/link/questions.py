@@ -10,8 +10,7 @@ from ev3proto.compose import Draft
 from ev3proto.ops import com_get, info, input_device, memory_usage, ui_read
 from ev3proto.semantics.replies import Value
 from ev3proto.tables.enumerations import HWTYPE, TYPE
-from ev3proto.tables.input import MOTOR_PORTS
-from ev3proto.tables.input import PORTS as SENSOR_PORTS
+from ev3proto.tables.input import MOTOR_PORTS, SENSOR_PORTS
 
 T = TypeVar("T")
 

@@ -15,7 +15,7 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.program import DEFAULT_VERSION, RELEASE_VERSION
 from ev3proto.tables.source import BASIC_NAMES
 from ev3proto.text.assembly.errors import AssemblyError, Lines, SourceError, SourceWarning
-from ev3proto.text.assembly.notations import BASIC, LEGO, OF_EV3_G, STRICT, Notation
+from ev3proto.text.assembly.notations import BASIC, LEGO_NOTATION, OF_EV3_G, STRICT, Notation
 from ev3proto.text.assembly.objects import AssembledObject, AssembledProgram, ProgramAssembler
 
 MAX_SOURCE = 1 << 25
@@ -38,7 +38,7 @@ class SourceDialect(StrEnum):
     BASIC = "basic"
 
 
-_NOTATIONS = {SourceDialect.STRICT: STRICT, SourceDialect.LEGO: LEGO, SourceDialect.BASIC: BASIC}
+_NOTATIONS = {SourceDialect.STRICT: STRICT, SourceDialect.LEGO: LEGO_NOTATION, SourceDialect.BASIC: BASIC}
 
 
 @dataclass(frozen=True, slots=True)

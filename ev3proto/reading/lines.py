@@ -14,7 +14,7 @@ from ev3proto.text.spans import Line, Role, Spans
 from ev3proto.text.table import table
 from ev3proto.text.tree import tree
 
-STYLES: dict[str, Callable[[Exchange, Seen], Iterable[Line]]] = {
+LINE_STYLES: dict[str, Callable[[Exchange, Seen], Iterable[Line]]] = {
     "tree": tree,
     "table": table,
     "sentence": lambda exchange, seen: [Line([*origin(seen), (sentence(exchange, seen.missing), Role.PLAIN)])],
@@ -26,7 +26,7 @@ _MOST_REST = 16
 
 def message_lines(exchange: Exchange, seen: Seen, rest: bytes = b"", style: str = "tree") -> Iterator[Line]:
     """Yields a message in a style, the bytes after it, and a note on it."""
-    yield from STYLES[style](exchange, seen)
+    yield from LINE_STYLES[style](exchange, seen)
     if rest:
         follow = "follows" if len(rest) == 1 else "follow"
         shown = f": {spaced_hex(rest[:_MOST_REST])}{' ...' * (len(rest) > _MOST_REST)}" if any(rest) else ""

@@ -174,23 +174,23 @@ class TextReader:
         return self._assembly if is_assembly(line) or OBJECT.match(line) else None
 
     def _assembly(self, lines: Iterable[str]) -> Found:
-        from ev3proto.text.assembly.assembling import MAX_TEXT  # takes 8 ms, which frames do not need
+        from ev3proto.text.assembly.assembling import MAX_SOURCE  # takes 8 ms, which frames do not need
 
         is_typed = self._given.word is not None
-        text = _joined(lines, "\n" if is_typed else "", MAX_TEXT + 1)
+        text = _joined(lines, "\n" if is_typed else "", MAX_SOURCE + 1)
         yield Source(text, Place("" if is_typed else self._given.label), is_typed=is_typed)
 
     def _objects(self, lines: Iterable[str]) -> Found:
         """Yields the messages of JSON objects."""
         from ev3proto.schema.frame import parse
-        from ev3proto.text.json_format.to_messages import RecordError, frames_in, read_records  # takes 5 ms, too
+        from ev3proto.text.json_format.to_messages import RecordError, frames_of_json, read_records  # takes 5 ms, too
 
         label, dialect = self._given.label[:_MOST_LABEL], self._options.dialect
         try:
             for number, entry in read_records(lines):
                 place = Place(label, number)
                 try:
-                    for frame in frames_in(entry, dialect=dialect):
+                    for frame in frames_of_json(entry, dialect=dialect):
                         yield self._log.made(parse(frame, strict=False, dialect=dialect), place, number)
                 except RecordError as error:
                     yield Problem(place, ProblemCode.SOURCE, str(error))

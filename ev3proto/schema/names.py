@@ -37,8 +37,7 @@ from ev3proto.schema.argument import (
 from ev3proto.tables import OPCODES, enumerations
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, LOCAL
-from ev3proto.tables.input import MOTOR_PORTS
-from ev3proto.tables.input import PORTS as SENSOR_PORTS
+from ev3proto.tables.input import MOTOR_PORTS, SENSOR_PORTS
 from ev3proto.tables.ports import MotorPort, MotorPorts
 from ev3proto.tables.system import SYSTEM, SystemStatus
 

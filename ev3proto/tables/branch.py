@@ -3,9 +3,7 @@
 Each comparison exists for every operand size; one line here builds all sizes of it.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, LABEL, Effect, In, Opcode, Role
-
-SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
+from ev3proto.tables.declaration import DATA8, DATAF, LABEL, NUMBER_TYPES, Effect, In, Opcode, Role
 
 OFFSET = In(
     "OFFSET",
@@ -31,7 +29,7 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
             ),
             effects=(Effect.COMPUTES,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 

@@ -3,9 +3,7 @@
 The same operation exists once per size of its operands, so all of them are built size by size from one line each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Effect, In, Opcode, Out
-
-SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
+from ev3proto.tables.declaration import DATA8, NUMBER_TYPES, Effect, In, Opcode, Out
 
 
 def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tuple[Opcode, ...]:
@@ -22,7 +20,7 @@ def _by_type(name: str, numbers: tuple[int, int, int, int], relation: str) -> tu
             ),
             effects=(Effect.READS,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 
@@ -41,7 +39,7 @@ def _select_by_type(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
             ),
             effects=(Effect.READS,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 

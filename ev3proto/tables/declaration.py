@@ -133,6 +133,14 @@ class Effect(Enum):
 DATA8, DATA16, DATA32, DATAF = Type.DATA8, Type.DATA16, Type.DATA32, Type.DATAF
 STRING, HANDLE, ARRAY_TYPED, LABEL = Type.STRING, Type.HANDLE, Type.ARRAY_TYPED, Type.LABEL
 
+NUMBER_TYPES = (
+    ("8", DATA8, "8-bit"),
+    ("16", DATA16, "16-bit"),
+    ("32", DATA32, "32-bit"),
+    ("F", DATAF, "floating-point"),
+)
+"""The types of numbers, of which many operations have one each: the end of the name, the type, the words for it."""
+
 
 class Enumeration(NamedTuple):
     """Names of numbers, as the firmware spells them.

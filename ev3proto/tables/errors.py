@@ -38,7 +38,7 @@ ERRORS: tuple[str, ...] = (
 )
 """By number. Number 0 is shown as an empty text."""
 
-NUMBERS: dict[str, int] = {name: number for number, name in enumerate(ERRORS)}
+ERROR_NUMBERS: dict[str, int] = {name: number for number, name in enumerate(ERRORS)}
 """The numbers by name."""
 
 LOGGED = 7

@@ -23,15 +23,20 @@ from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
 from ev3proto.tables.ports import MotorPort, SensorPort
 
-PORTS = {port.value: f"port {port + 1}" for port in SensorPort}
+SENSOR_PORTS = {port.value: f"port {port + 1}" for port in SensorPort}
 MOTOR_PORTS = {16 + port: f"motor port {port.name}" for port in MotorPort}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
 LAYERS = In("LAYER", DATA8, "brick in the daisy chain", range=(0, 3), special={-1: "all layers"}, role=Role.LAYER)
 NO = In(
-    "NO", DATA8, "port, counted from 0; 16 to 19 for motors", range=(0, 19), special=PORTS | MOTOR_PORTS, role=Role.PORT
+    "NO",
+    DATA8,
+    "port, counted from 0; 16 to 19 for motors",
+    range=(0, 19),
+    special=SENSOR_PORTS | MOTOR_PORTS,
+    role=Role.PORT,
 )
-SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=PORTS, role=Role.PORT)
+SENSOR_NO = In("NO", DATA8, "sensor port, counted from 0", range=(0, 3), special=SENSOR_PORTS, role=Role.PORT)
 _NAMELESS = {
     device.number: device.title
     for device in DEVICE_TYPES.values()

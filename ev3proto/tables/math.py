@@ -3,9 +3,7 @@
 Most operations exist for every operand size; one line here builds all sizes of a plain one.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Command, Effect, In, Opcode, Out
-
-SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, NUMBER_TYPES, Command, Effect, In, Opcode, Out
 
 
 def _by_type(
@@ -27,7 +25,7 @@ def _by_type(
             ),
             effects=(Effect.READS,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=False)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=False)
     )
 
 

@@ -3,9 +3,20 @@
 All operations but one exist for every operand size and are built for each.
 """
 
-from ev3proto.tables.declaration import DATA8, DATA16, DATA32, DATAF, Effect, In, Opcode, Out, Role, Type, Values
-
-SIZES = (("8", DATA8, "8-bit"), ("16", DATA16, "16-bit"), ("32", DATA32, "32-bit"), ("F", DATAF, "floating-point"))
+from ev3proto.tables.declaration import (
+    DATA8,
+    DATA16,
+    DATA32,
+    DATAF,
+    NUMBER_TYPES,
+    Effect,
+    In,
+    Opcode,
+    Out,
+    Role,
+    Type,
+    Values,
+)
 
 INDEX = In(
     "INDEX",
@@ -26,14 +37,14 @@ def _moves_from(name: str, source: Type, size: str, numbers: tuple[int, int, int
             (In("SOURCE", source, "value to copy"), Out("DESTINATION", destination, "copy of the value")),
             effects=(Effect.READS,),
         )
-        for number, (suffix, destination, to) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, destination, to) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 
 def _move_text(source: Type, size: str, destination: Type, to: str) -> str:
     if source is destination:
         return f"Copies a value to another variable, both {to}"
-    types = [type_ for _, type_, _ in SIZES]
+    types = [type_ for _, type_, _ in NUMBER_TYPES]
     limited = types.index(destination) < types.index(source)
     return f"Converts a value, {size} to {to}; " + (
         "limited to what fits, NaN stays NaN" if limited else "NaN stays NaN"
@@ -54,7 +65,7 @@ def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
             ),
             effects=(Effect.READS,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 
@@ -78,7 +89,7 @@ def _writes(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
             ),
             effects=(Effect.READS,),
         )
-        for number, (suffix, type_, size) in zip(numbers, SIZES, strict=True)
+        for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )
 
 

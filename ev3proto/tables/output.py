@@ -19,12 +19,12 @@ from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.ports import MotorPort, MotorPorts
 
 MOST = 2**31 - 1
-PORTS = {port.value: port.name for port in MotorPort}
+MOTOR_LETTERS = {port.value: port.name for port in MotorPort}
 PORT_SETS = {0: "none"} | {
     mask: "+".join(port.name for port in MotorPort if mask & MotorPorts[port.name])
     for mask in range(1, MotorPorts.ALL + 1)
 }
-LETTERS = {letter: number for number, letter in PORTS.items()}
+LETTERS = {letter: number for number, letter in MOTOR_LETTERS.items()}
 MASKS = {letters: mask for mask, letters in PORT_SETS.items() if mask}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)
@@ -33,7 +33,7 @@ NO = In(
     DATA8,
     "port, counted from 0",
     range=(0, 3),
-    special=PORTS,
+    special=MOTOR_LETTERS,
     names=LETTERS,
     role=Role.MOTOR,
     note="the number of one port; most operations on motors take a bit mask",
@@ -280,7 +280,7 @@ OUTPUT = (
                 DATA8,
                 "port, counted from 0",
                 range=(0, 3),
-                special=PORTS,
+                special=MOTOR_LETTERS,
                 names=LETTERS,
                 role=Role.MOTOR,
                 note="named like a bit mask, but the firmware reads the number of one port",

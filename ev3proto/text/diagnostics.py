@@ -414,6 +414,6 @@ def report_text(report: Report) -> str:
     return "\n".join(map(plain_text, diagnostics(report, dialect=report.dialect)))
 
 
-def fix_text(fix: Fix) -> str:
+def described_fix(fix: Fix) -> str:
     """Returns what `ev3proto check --fix` prints about a frame."""
     return "\n".join(map(plain_text, fixed(fix, dialect=fix.report.dialect)))

@@ -187,7 +187,7 @@ RECIPES: dict[str, tuple[Change, ...]] = {
     "A capture format": (
         Change("ev3proto/capture/formats/lucky.py", "", FORMAT),
         Change("ev3proto/capture/formats/__init__.py", "for each in (pcap, ", "for each in (lucky, pcap, "),
-        Change("ev3proto/capture/formats/__init__.py", "import btsnoop, hcidump, ", "import btsnoop, hcidump, lucky, "),
+        Change("ev3proto/capture/formats/__init__.py", "import btsnoop, ", "import btsnoop, lucky, "),
     ),
     "A field of the dissector": (
         Change(

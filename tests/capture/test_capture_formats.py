@@ -21,7 +21,7 @@ from support.packets import Capture as Packets
 from support.packets import Connection, SerialPort, packets_of
 
 from ev3proto.capture import Capture, CaptureError, read
-from ev3proto.capture.formats import FORMATS, LISTED, READ
+from ev3proto.capture.formats import CAPTURE_FORMATS, LISTED, READ
 from ev3proto.capture.packets import Format
 
 COMMANDS = [struct.pack("<HHB", 8, counter, 0x00) + bytes.fromhex("0400 81 01 60") for counter in range(5)]
@@ -122,7 +122,7 @@ def test_the_link_of_a_pcap_file_may_say_that_check_sums_follow() -> None:
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("found", FORMATS, ids=lambda found: found.name)
+@pytest.mark.parametrize("found", CAPTURE_FORMATS, ids=lambda found: found.name)
 def test_each_format_is_decided_by_as_many_bytes_as_it_says(found: Format) -> None:
     for head in (bytes(found.needs), b"a" * found.needs, b"0" * found.needs, b"#" * found.needs):
         assert found.matches(head) is False

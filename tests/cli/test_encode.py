@@ -20,7 +20,7 @@ from ev3proto.testing import frames, mutated_frames
 from ev3proto.text.assembly import assemble
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.json_format.from_messages import record
-from ev3proto.text.json_format.to_messages import RecordError, frame_of, frames_in, read_records
+from ev3proto.text.json_format.to_messages import RecordError, frame_of, frames_of_json, read_records
 from ev3proto.text.paste import read_text
 from ev3proto.text.phrases import Seen
 
@@ -309,7 +309,7 @@ def test_objects_at_fault(change: dict[str, Any], sentence: str) -> None:
 
 
 def test_texts_on_wifi_are_not_frames() -> None:
-    assert list(frames_in({"kind": "beacon", "text": {}, "hex": "00"})) == []
+    assert list(frames_of_json({"kind": "beacon", "text": {}, "hex": "00"})) == []
 
 
 def test_json_that_is_bad_or_endless() -> None:
@@ -327,7 +327,7 @@ def test_json_that_is_bad_or_endless() -> None:
     nothings: tuple[Any, ...] = (None, [], 5, "text")
     for nothing in nothings:
         with pytest.raises(RecordError, match="expected an object"):
-            list(frames_in(nothing))
+            list(frames_of_json(nothing))
 
 
 # Forms

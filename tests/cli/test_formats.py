@@ -110,14 +110,14 @@ def test_a_format_that_does_not_show_programs_or_messages_is_refused(tmp_path: P
 
 INVENTED = """
 import sys
-from ev3proto.cli.formats import FORMATS, Format
+from ev3proto.cli.formats import OUTPUT_FORMATS, Format
 from ev3proto.cli.main import main
 
 class Sizes(Format):
     def message(self, exchange, seen, rest=b""):
         self._printer.text(f"{len(exchange.message.build())} bytes")
 
-FORMATS["sizes"] = Sizes
+OUTPUT_FORMATS["sizes"] = Sizes
 main()
 """
 

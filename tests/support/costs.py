@@ -7,7 +7,7 @@ one when it ends. The file has a line for each test, the most costly first: seco
 from __future__ import annotations
 
 import os
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Generator
 from pathlib import Path
 
@@ -56,16 +56,16 @@ class _Listing:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._costs: Counter[str] = Counter()
+        self._costs: defaultdict[str, float] = defaultdict(float)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         spent = [value for name, value in report.user_properties if name == _KEY]
         self._costs[report.nodeid] += sum(value for value in spent if isinstance(value, float))
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
-        lines = [f"{seconds:.2f}\t{test}" for test, seconds in self._costs.most_common()]
+        lines = [f"{seconds:.2f}\t{test}" for test, seconds in sorted(self._costs.items(), key=lambda item: -item[1])]
         self._path.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
-        terminalreporter.section(f"{self._costs.total():.0f} seconds of CPU time")
+        terminalreporter.section(f"{sum(self._costs.values()):.0f} seconds of CPU time")
         for line in lines[:_MOST_SHOWN]:
             terminalreporter.write_line(line)
 

@@ -10,7 +10,7 @@ from support.cases import each
 from support.notations import EXAMPLES, NOTATIONS
 
 from ev3proto.text.paste import Pasted, read_argument, read_text
-from ev3proto.text.paste.elements import FORMS, Form, split
+from ev3proto.text.paste.elements import FORMS, Form, elements_of
 
 TONE = bytes.fromhex("0f 00 00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03")
 NOTHING = bytes.fromhex("06 00 2a 00 00 00 00 01")
@@ -236,7 +236,7 @@ def test_a_dump_of_strace_is_only_dropped_where_its_string_is() -> None:
 
 @each("form", [form for form in FORMS if form.kind == "run"])
 def test_the_example_of_a_run_is_many_values(form: Form) -> None:
-    assert [(token.kind, token.text) for token in split(form.example)[0]] == [
+    assert [(token.kind, token.text) for token in elements_of(form.example)[0]] == [
         ("digits", text) for text in form.example.split()
     ]
 
@@ -244,13 +244,13 @@ def test_the_example_of_a_run_is_many_values(form: Form) -> None:
 @each("form", [form for form in FORMS if form.kind not in ("blank", "other", "word", "run")])
 def test_the_example_of_a_value_is_one(form: Form) -> None:
     before, value, after = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
-    assert (form.kind, value) in [(token.kind, token.text) for token in split(f"{before}{value}{after}")[0]]
+    assert (form.kind, value) in [(token.kind, token.text) for token in elements_of(f"{before}{value}{after}")[0]]
 
 
 @each("form", [form for form in FORMS if form.kind in ("blank", "other")])
 def test_the_example_of_other_things_is_stepped_over(form: Form) -> None:
     before, what, after = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
-    values = split(f"{before or '0f '}{what}{after}")[0]
+    values = elements_of(f"{before or '0f '}{what}{after}")[0]
     assert [token.text for token in values] in (["0f"], ["0x0f"], ["97"])
 
 

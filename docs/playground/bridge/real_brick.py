@@ -39,8 +39,7 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE
 from ev3proto.tables.enumerations import SLOT
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MAX_FRAME, MessageType
-from ev3proto.tables.input import MOTOR_PORTS
-from ev3proto.tables.input import PORTS as SENSOR_PORTS
+from ev3proto.tables.input import MOTOR_PORTS, SENSOR_PORTS
 from ev3proto.tables.ports import MotorPorts
 from ev3proto.text.phrases import Seen, command_spans
 from ev3proto.text.spans import Role, Spans, plain_text

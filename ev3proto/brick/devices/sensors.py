@@ -22,7 +22,7 @@ from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, R
 from ev3proto.tables.encoding import RANGES
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, FORMAT_TYPES, SLOT, TYPE
 
-PORTS = 4
+SENSOR_COUNT = 4
 FIRST_MOTOR = 16
 """Number of motor port A as an input."""
 
@@ -172,7 +172,9 @@ class Inputs(Part):
 
     def __init__(self, outputs: Outputs) -> None:
         self._outputs = outputs
-        self._devices = {number: Device() for number in (*range(PORTS), *range(FIRST_MOTOR, FIRST_MOTOR + PORTS))}
+        self._devices = {
+            number: Device() for number in (*range(SENSOR_COUNT), *range(FIRST_MOTOR, FIRST_MOTOR + SENSOR_COUNT))
+        }
         self._types = dict(DEVICE_TYPES)
         self._calibrations: dict[tuple[int, int], Calibration] = {}
         self._brought: set[int] = set()  # types of UART sensors that were plugged in: they bring what is known of them
@@ -227,7 +229,7 @@ class Inputs(Part):
     @staticmethod
     def _port(port: int | str) -> int:
         index = PORT_NAMES.index(port_name(port))
-        return index if index < PORTS else FIRST_MOTOR + index - PORTS
+        return index if index < SENSOR_COUNT else FIRST_MOTOR + index - SENSOR_COUNT
 
     def plugged(self) -> dict[int | str, Device]:
         """Returns the devices that are plugged in, by port: 1 to 4, "A" to "D"."""
@@ -258,7 +260,7 @@ class Inputs(Part):
 
     def reset(self) -> None:
         """Clears the counts of the sensors, and resets those that can be written to."""
-        for number in range(PORTS):
+        for number in range(SENSOR_COUNT):
             self._devices[number].clear_counts()
             self.keep_busy(self._devices[number])
 

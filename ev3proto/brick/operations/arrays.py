@@ -10,8 +10,7 @@ from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.steps import Steps
-from ev3proto.tables.declaration import Type
-from ev3proto.tables.move import SIZES
+from ev3proto.tables.declaration import NUMBER_TYPES, Type
 
 _STEP = 1000
 """Elements that INIT sets in one step."""
@@ -76,7 +75,7 @@ def _init(kind: Type) -> Callable[[Machine], Steps[None]]:
     return init
 
 
-for _suffix, _kind, _ in SIZES:
+for _suffix, _kind, _ in NUMBER_TYPES:
     # ARRAY.CREATE8, ARRAY.CREATE16, ARRAY.CREATE32, ARRAY.CREATEF
     handles(f"ARRAY.CREATE{_suffix}")(_create(_kind))
     # ARRAY.INIT8, ARRAY.INIT16, ARRAY.INIT32, ARRAY.INITF

@@ -9,7 +9,7 @@ from ev3proto.brick.handlers import handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.branch import RELATIONS
-from ev3proto.tables.compare import SIZES
+from ev3proto.tables.declaration import NUMBER_TYPES
 
 
 def _compare(relation: Callable[[Any, Any], bool]) -> Callable[[Machine, float, float, Location], None]:
@@ -26,7 +26,7 @@ def _select(size: int) -> Callable[[Machine], None]:
     return select
 
 
-for _suffix, _type, _ in SIZES:
+for _suffix, _type, _ in NUMBER_TYPES:
     for _name, _relation in RELATIONS.items():
         # CP_LT8, CP_GT8, CP_EQ8, CP_NEQ8, CP_LTEQ8, CP_GTEQ8, CP_LT16, CP_GT16, CP_EQ16, CP_NEQ16,
         # CP_LTEQ16, CP_GTEQ16, CP_LT32, CP_GT32, CP_EQ32, CP_NEQ32, CP_LTEQ32, CP_GTEQ32, CP_LTF, CP_GTF,

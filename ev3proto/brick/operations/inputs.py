@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 
 from ev3proto.brick.conversions import NAN8, NAN32
-from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, PORTS, SPEED_MODE, Device, Inputs
+from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, SENSOR_COUNT, SPEED_MODE, Device, Inputs
 from ev3proto.brick.handlers import computes, handles, handles_unknown
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
@@ -84,7 +84,7 @@ def read_ext(vm: Machine, layer: int, number: int, type: int, mode: int, format:
 
 def _port_name(layer: int, number: int) -> str:
     """Returns a port as people call it."""
-    return f"port {number + 1}" if layer == 0 and number < PORTS else f"input {number} of layer {layer}"
+    return f"port {number + 1}" if layer == 0 and number < SENSOR_COUNT else f"input {number} of layer {layer}"
 
 
 @handles("INPUT_READY")
@@ -103,7 +103,7 @@ def write(vm: Machine) -> None:
     """Writes bytes to a sensor that accepts any, and is busy afterwards."""
     layer, number, count, _ = vm.int8(), vm.int8(), vm.int8(), vm.place()
     device = vm.brick.inputs.device(layer, number)
-    if device is None or number + layer * PORTS >= FIRST_MOTOR:
+    if device is None or number + layer * SENSOR_COUNT >= FIRST_MOTOR:
         raise Failure
     if device.connection in (_UART, _IIC):
         if not 0 < count <= _MOST_WRITTEN:
@@ -130,7 +130,7 @@ def sample(vm: Machine, _: int, count: int, __: Location, *arrays: Location) -> 
     inputs = vm.brick.inputs
     for index in range(max(count, 0)):
         number, kind, mode, dataset = (array.moved(index).read8() for array in arrays[:4])
-        device = _selected(vm, 0, number if number < PORTS else number - PORTS + FIRST_MOTOR, kind, mode)
+        device = _selected(vm, 0, number if number < SENSOR_COUNT else number - SENSOR_COUNT + FIRST_MOTOR, kind, mode)
         arrays[4].moved(index * DATAF.size).write_float(inputs.si(device, dataset))
 
 
@@ -215,7 +215,7 @@ def clear_all(vm: Machine, layer: int) -> None:
     if layer <= 0:
         vm.brick.inputs.reset()
         vm.brick.buttons.flush()
-        for motor in vm.brick.outputs.freed(0, (1 << PORTS) - 1):
+        for motor in vm.brick.outputs.freed(0, (1 << SENSOR_COUNT) - 1):
             motor.reset()
             motor.clear_count()
 

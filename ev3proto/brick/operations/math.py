@@ -11,11 +11,10 @@ from ev3proto.brick.formatting import fixed
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import WRITERS, Location
 from ev3proto.brick.machine import Machine
-from ev3proto.tables.declaration import Type
+from ev3proto.tables.declaration import NUMBER_TYPES, Type
 from ev3proto.tables.encoding import RANGES
-from ev3proto.tables.math import SIZES
 
-_TYPES = {suffix: kind for suffix, kind, _ in SIZES}
+_TYPES = {suffix: kind for suffix, kind, _ in NUMBER_TYPES}
 _INTEGERS = {suffix: kind for suffix, kind in _TYPES.items() if kind is not Type.DATAF}
 
 IntegerFunction = Callable[[int, int], int]

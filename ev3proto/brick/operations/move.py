@@ -9,14 +9,13 @@ from ev3proto.brick.handlers import handles
 from ev3proto.brick.locations import WRITERS, Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.steps import Steps
-from ev3proto.tables.declaration import Type
-from ev3proto.tables.move import SIZES
+from ev3proto.tables.declaration import NUMBER_TYPES, Type
 
 _INTEGERS = {"8": (Type.DATA8, NAN8), "16": (Type.DATA16, NAN16), "32": (Type.DATA32, NAN32)}
 _STEP = 1000
 """Values that INIT_BYTES copies in one step."""
 
-_TYPES = {suffix: kind for suffix, kind, _ in SIZES}
+_TYPES = {suffix: kind for suffix, kind, _ in NUMBER_TYPES}
 
 
 def _copy(size: int) -> Callable[[Machine], None]:

@@ -19,7 +19,7 @@ from ev3proto.capture.record import CaptureError
 READ = tuple(each.FORMAT for each in (pcap, pcapng, btsnoop, packetlogger, usbmon_text))
 """The formats that are read. To add one, write its module and add it here."""
 
-FORMATS = (*READ, *unread.FORMATS)
+CAPTURE_FORMATS = (*READ, *unread.FORMATS)
 """All formats. A file has the first that matches."""
 
 _NAMES = [each.name for each in READ]
@@ -35,7 +35,7 @@ _LEAST = 8
 def _needed(head: bytes) -> int:
     """Returns the number of first bytes that may tell the format; 0 if these do, or no more can."""
     undecided: list[int] = []
-    for matches, needs in ((_is_gzip, len(GZIP)), *((each.matches, each.needs) for each in FORMATS)):
+    for matches, needs in ((_is_gzip, len(GZIP)), *((each.matches, each.needs) for each in CAPTURE_FORMATS)):
         is_it = matches(head)
         if is_it:
             break
@@ -155,7 +155,7 @@ class CaptureFile:
 
     def _format(self) -> Format | None:
         start = self._start()
-        return next((each for each in FORMATS if each.matches(start)), None)
+        return next((each for each in CAPTURE_FORMATS if each.matches(start)), None)
 
 
 def _size(stream: BinaryIO) -> int | None:

@@ -14,7 +14,7 @@ from ev3proto.messages import Argument
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables import with_effect
 from ev3proto.tables.declaration import Effect, Role
-from ev3proto.tables.output import PORT_SETS, PORTS
+from ev3proto.tables.output import MOTOR_LETTERS, PORT_SETS
 from ev3proto.tables.ports import SensorPort
 
 _STARTS = with_effect(Effect.STARTS_MOTORS)
@@ -41,7 +41,7 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
     """Yields a hint about the number of a port that may be meant as a bit mask, and about a mask of no port."""
     role, number = argument.parameter.role, whole_number(argument)
     if role is Role.MOTORS and number == 0:
-        masks = ", ".join(f"{1 << port} for {letter}" for port, letter in PORTS.items())
+        masks = ", ".join(f"{1 << port} for {letter}" for port, letter in MOTOR_LETTERS.items())
         parts = {"owner": operation.name, "ports": f"{masks}, or the sum of several"}
         yield operation.finding_of(codes.WRONG_KIND_OF_PORT, codes.NO_PORTS, argument, parts)
     elif role is Role.PORT and number == len(SensorPort):
@@ -51,12 +51,19 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
             f"{argument.name} is {number}, port 1 of the next brick in a daisy chain: ports are counted from 0",
             f"use {number - 1} if port {number} of this brick is meant",
         )
-    elif role is Role.MOTOR and number in PORT_SETS and number in PORTS and len(PORT_SETS[number]) == 1 and number:
-        meant = next(port for port, letter in PORTS.items() if letter == PORT_SETS[number])
+    elif (
+        role is Role.MOTOR
+        and number in PORT_SETS
+        and number in MOTOR_LETTERS
+        and len(PORT_SETS[number]) == 1
+        and number
+    ):
+        meant = next(port for port, letter in MOTOR_LETTERS.items() if letter == PORT_SETS[number])
         other = PORT_SETS[number]
         yield operation.finding_at(
             codes.WRONG_KIND_OF_PORT,
             argument,
-            f"{argument.name} is {number}, the number of port {PORTS[number]}; as a bit mask it would be {other}",
+            f"{argument.name} is {number}, the number of port {MOTOR_LETTERS[number]};"
+            f" as a bit mask it would be {other}",
             f"use {meant} if port {other} is meant: {operation.name} takes the number of one port",
         )

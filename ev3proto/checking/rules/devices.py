@@ -13,7 +13,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.messages import DirectCommand
 from ev3proto.semantics.footprint import Footprint, Taken, whole_number
 from ev3proto.tables.declaration import Effect, Role
-from ev3proto.tables.output import PORTS
+from ev3proto.tables.output import MOTOR_LETTERS
 from ev3proto.tables.sound import OWN_FOLDERS
 
 _LARGER = {"INPUT_READ": "INPUT_READSI", "INPUT_DEVICE.READY_PCT": "INPUT_DEVICE.READY_SI"}
@@ -49,7 +49,7 @@ def _motors(operation: CheckedOperation) -> list[Port] | None:
     layer, mask, number = (known.get(role) for role in (Role.LAYER, Role.MOTORS, Role.MOTOR))
     if layer is None or (mask is None and number is None):
         return None
-    return [(layer, port) for port in PORTS if port == number or (mask is not None and mask & 1 << port)]
+    return [(layer, port) for port in MOTOR_LETTERS if port == number or (mask is not None and mask & 1 << port)]
 
 
 def _forget(found: dict[Port, CheckedOperation], ports: list[Port] | None) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ev3proto.generate.kaitai.messages import enumerations, message_types
+from ev3proto.generate.kaitai.messages import enumeration_types, message_types
 from ev3proto.generate.kaitai.naming import family_type, identifier, operation_type, parameter_name
-from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value, written
+from ev3proto.generate.kaitai.yaml import Block, Hexadecimal, Value, as_yaml
 from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES, check_dialect, operations
 from ev3proto.tables.declaration import DIALECTS, Declaration, Enumeration, Opcode, Parameter, Tail, Type
@@ -142,7 +142,7 @@ Made by ev3proto {version} from its tables (ev3proto export kaitai): change thos
 
 def build(dialect: str = DIALECTS[0]) -> str:
     """Returns the text of ev3.ksy. Raises ValueError for an unknown dialect."""
-    return written(description(dialect))
+    return as_yaml(description(dialect))
 
 
 def description(dialect: str = DIALECTS[0]) -> dict[str | int, Value]:
@@ -162,7 +162,7 @@ def description(dialect: str = DIALECTS[0]) -> dict[str | int, Value]:
         "seq": [{"id": "frames", "type": "frame", "repeat": "eos"}],
         "types": {**message_types(), **operation_types(dialect)},
         "enums": {
-            **enumerations(),
+            **enumeration_types(),
             "opcode": opcode_enum(dialect),
             **{identifier(enum.name): _members(enum) for enum in used_enumerations(dialect)},
         },

@@ -71,7 +71,7 @@ def message_types() -> Mapping:
     }
 
 
-def enumerations() -> Mapping:
+def enumeration_types() -> Mapping:
     """Returns the enumerations of the numbers before fields and operations."""
     return {
         "message_type": {Hexadecimal(member.value): member.name.lower() for member in MessageType},

@@ -26,7 +26,7 @@ class Block(str):
 Value = str | int | bool | list["Value"] | dict[str | int, "Value"]
 
 
-def written(value: dict[str | int, Value]) -> str:
+def as_yaml(value: dict[str | int, Value]) -> str:
     """Returns a mapping as the text of a file."""
     return "".join(f"{line}\n" for line in _mapping(value, 0))
 

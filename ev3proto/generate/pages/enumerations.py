@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.generate.pages.markdown import code, link, sentence, table
+from ev3proto.generate.pages.markdown import code, link, plain_sentence, table
 from ev3proto.tables import AREAS
 from ev3proto.tables.declaration import Enumeration, declarations
 from ev3proto.tables.enumerations import ENUMERATIONS
@@ -21,7 +21,7 @@ def blocks() -> Iterator[str]:
     for declared in ENUMERATIONS:
         yield f"## {declared.name}"
         bits = "\nIts members are bits, and a value is any of them together." if declared.flags else ""
-        yield sentence(declared.text) + bits
+        yield plain_sentence(declared.text) + bits
         rows = ((str(number), f"0x{number & 0xFF:02X}", code(name)) for name, number in declared.members.items())
         yield table(("number", "byte", "name"), rows)
         if declared.end is not None:

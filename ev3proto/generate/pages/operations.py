@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.modules.source import FIRMWARES
 from ev3proto.generate.pages.examples import example_of, explained, is_accepted
-from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
+from ev3proto.generate.pages.markdown import block, code, link, listed, plain, plain_sentence, table, try_it
 from ev3proto.schema.instructions import instruction_set
 from ev3proto.semantics.domain import element, facts
 from ev3proto.tables import AREAS
@@ -26,9 +26,9 @@ def blocks(area: str) -> Iterator[str]:
     for opcode in opcodes:
         if opcode.is_family:
             yield f"## {opcode.name}"
-            yield f"Opcode `0x{opcode.number:02X}`, a family: CMD selects the operation. {sentence(opcode.text)}"
+            yield f"Opcode `0x{opcode.number:02X}`, a family: CMD selects the operation. {plain_sentence(opcode.text)}"
             if opcode.note:
-                yield f"Note: {sentence(opcode.note)}"
+                yield f"Note: {plain_sentence(opcode.note)}"
         for declaration in declarations((opcode,)):
             yield from _entry(declaration, "###" if opcode.is_family else "##")
 
@@ -49,7 +49,7 @@ def dialect_of(declaration: Declaration) -> str | None:
 
 def _entry(declaration: Declaration, level: str) -> Iterator[str]:
     yield f"{level} {declaration.name}"
-    yield sentence(declaration.text)
+    yield plain_sentence(declaration.text)
     yield listed(_facts(declaration))
     if declaration.parameters:
         yield table(("parameter", "", "type", "what it is"), map(_parameter, declaration.parameters))
@@ -77,7 +77,7 @@ def _facts(declaration: Declaration) -> Iterator[str]:
         yield "The validator of the release of 2013 does not know it."
     yield from (f"It {plain(effect.value)}." for effect in declaration.effects)
     if declaration.note:
-        yield f"Note: {sentence(declaration.note)}"
+        yield f"Note: {plain_sentence(declaration.note)}"
     fields = [filter_name(declaration, each) for each in declaration.parameters]
     if not fields:
         fields = [f'ev3.cmd == "{declaration.name}"']
@@ -93,7 +93,7 @@ def _parameter(parameter: Parameter) -> tuple[str, str, str, str]:
     said = list(facts(parameter))
     if parameter.enum is not None:
         said.remove(f"a member of {parameter.enum.name}")
-    meaning = [sentence(f"{parameter.text} ({'; '.join(said)})" if said else parameter.text)]
+    meaning = [plain_sentence(f"{parameter.text} ({'; '.join(said)})" if said else parameter.text)]
     if parameter.enum is not None:
         members = parameter.enum.members
         listed = [f"{number} {code(name)}" for name, number in members.items()]
@@ -104,7 +104,7 @@ def _parameter(parameter: Parameter) -> tuple[str, str, str, str]:
     if each is not None:
         meaning.append(f"Each is {plain(each)}, {parameter.elements}.")
     if parameter.note:
-        meaning.append(f"Note: {sentence(parameter.note)}")
+        meaning.append(f"Note: {plain_sentence(parameter.note)}")
     kind = "list" if parameter.is_list else parameter.type.label
     return code(parameter.name), str(parameter.direction), kind, " ".join(meaning)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ev3proto.generate.dissector.names import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
-from ev3proto.generate.pages.markdown import block, code, link, listed, plain, sentence, table, try_it
+from ev3proto.generate.pages.markdown import block, code, link, listed, plain, plain_sentence, table, try_it
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, SystemDeclaration, SystemField, SystemStatus
 
 
@@ -48,7 +48,7 @@ def heading(entry: SystemDeclaration) -> str:
 
 def _entry(entry: SystemDeclaration) -> Iterator[str]:
     yield f"## {heading(entry)}"
-    yield sentence(entry.text)
+    yield plain_sentence(entry.text)
     yield listed(_facts(entry))
     yield _fields("request", entry, entry.request)
     if entry.answered:
@@ -77,7 +77,7 @@ def _fields(title: str, entry: SystemDeclaration, fields: tuple[SystemField, ...
 
 
 def _field(entry: SystemDeclaration, field: SystemField) -> tuple[str, str, str, str]:
-    meaning = sentence(field.text)
+    meaning = plain_sentence(field.text)
     if field.most is not None:
         meaning += f" At most {field.most} bytes."
     if field.counts is not None:

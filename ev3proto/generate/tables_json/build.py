@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from ev3proto.generate.tables_json.json_text import written
 from ev3proto.generate.tables_json.shapes import (
+    JsonSchema,
     Object,
-    Schema,
     Shape,
     array,
     byte,
@@ -452,7 +452,7 @@ def build_tables() -> str:
 
 def build_schema() -> str:
     """Returns the text of ev3-tables.schema.json: the document, and its definitions."""
-    definitions: Schema = {
+    definitions: JsonSchema = {
         "dialect": one_of(list(DIALECTS), "a firmware"),
         "type_name": one_of([each.name for each in _types()], "what a value is"),
         "direction": one_of([member.value for member in Direction], "to the operation, from it, or both"),

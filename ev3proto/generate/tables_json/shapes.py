@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Any
 
-Schema = dict[str, Any]
+JsonSchema = dict[str, Any]
 Object = dict[str, Any]
-Property = Schema | tuple[Schema, Any]
+Property = JsonSchema | tuple[JsonSchema, Any]
 
 NAME = "^[A-Za-z][A-Za-z0-9_]*$"
 
@@ -26,7 +26,7 @@ class Shape:
         self._optional = optional
         self._reads = {name: read for name, (_, read) in pairs.items()}
         # the JSON Schema of such an object; other properties are refused
-        self.schema: Schema = {
+        self.schema: JsonSchema = {
             "type": "object",
             "description": text,
             "properties": {name: schema for name, (schema, _) in pairs.items()},
@@ -40,7 +40,7 @@ class Shape:
         return {name: value for name, value in found.items() if name not in self._optional or _is_there(value)}
 
     @property
-    def nested(self) -> tuple[Schema, Callable[[object], Object]]:
+    def nested(self) -> tuple[JsonSchema, Callable[[object], Object]]:
         """The shape as a property of another, of the same entry."""
         return self.schema, self.data
 
@@ -49,52 +49,52 @@ def _is_there(value: object) -> bool:
     return value is not None and value is not False and value != "" and value != {}
 
 
-def map_of(values: Schema, text: str) -> Schema:
+def map_of(values: JsonSchema, text: str) -> JsonSchema:
     """Returns the schema of an object whose keys are names."""
     return {"type": "object", "description": text, "propertyNames": {"pattern": NAME}, "additionalProperties": values}
 
 
-def array(items: Schema, text: str, **more: Any) -> Schema:
+def array(items: JsonSchema, text: str, **more: Any) -> JsonSchema:
     """Returns the schema of a list."""
     return {"type": "array", "description": text, "items": items, **more}
 
 
-def pair(text: str) -> Schema:
+def pair(text: str) -> JsonSchema:
     """Returns the schema of two whole numbers."""
     return array({"type": "integer"}, text, minItems=2, maxItems=2)
 
 
-def ref(name: str) -> Schema:
+def ref(name: str) -> JsonSchema:
     """Returns a reference to a definition."""
     return {"$ref": f"#/$defs/{name}"}
 
 
-def text(meaning: str, pattern: str | None = None) -> Schema:
+def text(meaning: str, pattern: str | None = None) -> JsonSchema:
     """Returns the schema of a text."""
     return {"type": "string", "description": meaning} | ({"pattern": pattern} if pattern else {})
 
 
-def name(meaning: str) -> Schema:
+def name(meaning: str) -> JsonSchema:
     """Returns the schema of a name."""
     return text(meaning, NAME)
 
 
-def number(meaning: str, low: int | None = None, high: int | None = None) -> Schema:
+def number(meaning: str, low: int | None = None, high: int | None = None) -> JsonSchema:
     """Returns the schema of a whole number, with its limits if it has any."""
     limits = {name: value for name, value in (("minimum", low), ("maximum", high)) if value is not None}
     return {"type": "integer", "description": meaning, **limits}
 
 
-def byte(meaning: str) -> Schema:
+def byte(meaning: str) -> JsonSchema:
     """Returns the schema of a byte."""
     return number(meaning, 0, 0xFF)
 
 
-def flag(meaning: str) -> Schema:
+def flag(meaning: str) -> JsonSchema:
     """Returns the schema of a truth value."""
     return {"type": "boolean", "description": meaning}
 
 
-def one_of(names: list[str], meaning: str) -> Schema:
+def one_of(names: list[str], meaning: str) -> JsonSchema:
     """Returns the schema of one of some texts."""
     return {"enum": names, "description": meaning}

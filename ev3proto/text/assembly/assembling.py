@@ -14,7 +14,7 @@ from ev3proto.tables.system import SystemDeclaration
 from ev3proto.text.assembly.errors import MOST_ERRORS, AssemblyError, Lines, SourceError
 from ev3proto.text.assembly.messages import PendingMessage, begun_by, find_command, system_body
 from ev3proto.text.assembly.names import LocalNames, Memory, Names
-from ev3proto.text.assembly.notations import MACROS, OF_FRAMES
+from ev3proto.text.assembly.notations import MACRO_NOTATION, OF_FRAMES
 from ev3proto.text.assembly.operations import Assembler
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.syntax import (
@@ -32,7 +32,7 @@ from ev3proto.text.assembly.syntax import (
 from ev3proto.text.assembly.values import Encoder
 from ev3proto.text.paste.elements import narrow
 
-MAX_TEXT = 1 << 24
+MAX_SOURCE = 1 << 24
 """Maximum characters of a text."""
 
 
@@ -43,9 +43,9 @@ def assembled(
 
     If there are mistakes, the messages before the first one are yielded, then all errors are raised as one.
     """
-    if len(text) > MAX_TEXT:
-        raise AssemblyError(1, 1, f"the text has {len(text)} characters; at most {MAX_TEXT} can be assembled at once")
-    parser = Parser(narrow(text), MACROS)
+    if len(text) > MAX_SOURCE:
+        raise AssemblyError(1, 1, f"the text has {len(text)} characters; at most {MAX_SOURCE} can be assembled at once")
+    parser = Parser(narrow(text), MACRO_NOTATION)
     work = _Work(check_dialect(dialect), counter, reply, parser.warnings, is_checked=not unchecked)
     for statement in parser.statements():
         if isinstance(statement, SourceError):
@@ -71,7 +71,7 @@ class _Work:
         self._dialect = dialect
         self._counter = counter
         self._reply = reply
-        self._names = Names(MACROS, lambda define, local: self._encoder.defined(define, local))
+        self._names = Names(MACRO_NOTATION, lambda define, local: self._encoder.defined(define, local))
         self._encoder = Encoder(self._names, OF_FRAMES, warnings)
         self._assembler = Assembler(dialect, self._encoder)
         self._pending: PendingMessage | None = None
@@ -82,7 +82,7 @@ class _Work:
     def _begin(self) -> None:
         """Forgets the names that belong to one message."""
         self._names.local = LocalNames()
-        self._memory = {scope: Memory(scope, MACROS, most) for scope, most in MEMORY_LIMITS.items()}
+        self._memory = {scope: Memory(scope, MACRO_NOTATION, most) for scope, most in MEMORY_LIMITS.items()}
 
     def take(self, statement: Statement) -> Iterator[Message]:
         """Adds a statement; yields messages that are complete. Errors are kept."""

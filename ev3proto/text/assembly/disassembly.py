@@ -39,7 +39,7 @@ from ev3proto.tables.enumerations import NUMBERS
 from ev3proto.tables.frame import MAX_LENGTH
 from ev3proto.tables.source import BYTES, ESCAPES
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
-from ev3proto.text.assembly.notations import CUT, FRAME, MESSAGE, OF_FRAMES, STATUS, Rules, command_name
+from ev3proto.text.assembly.notations import CUT, FRAME, MESSAGE, OF_FRAMES, STATUS, Rules, declared_name
 from ev3proto.text.assembly.values import integer, measure
 from ev3proto.text.phrases import LEGO, MACROS, quoted, short_float, spaced_hex
 
@@ -123,7 +123,7 @@ def _system(message: SystemCommand | SystemReply) -> Iterator[str]:
     values += [f"{name}={_field(value)}" for name, value in message.fields.items()]
     if message.fault is not None:
         values.append(CUT)
-    yield from f"{command_name(entry)}({', '.join(values)})".split("\n")
+    yield from f"{declared_name(entry)}({', '.join(values)})".split("\n")
 
 
 def _field(value: FieldValue) -> str:

@@ -26,7 +26,7 @@ from ev3proto.tables.frame import (
 from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import LocalNames, choice
-from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, command_name
+from ev3proto.text.assembly.notations import OF_FRAMES, STATUS, declared_name
 from ev3proto.text.assembly.syntax import Call, MessageHeader, Name, Raw, RawFrame, WrittenArgument
 from ev3proto.text.assembly.values import Encoder, Piece, joined
 
@@ -46,7 +46,7 @@ _MEMORIES = {GLOBAL: GLOBALS, LOCAL: LOCALS}
 
 _LOGIC = {"true": True, "false": False}
 
-_BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {command_name(entry): entry for entry in SYSTEM}
+_BY_NAME = {entry.name: entry for entry in reversed(SYSTEM)} | {declared_name(entry): entry for entry in SYSTEM}
 
 MAX_BODY = 1 << 19
 """Maximum size of one assembled message; deliberately faulty ones may exceed a frame."""

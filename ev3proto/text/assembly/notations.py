@@ -59,7 +59,7 @@ STATUS = "status"
 """The name of a system reply's status."""
 
 
-def command_name(entry: SystemDeclaration) -> str:
+def declared_name(entry: SystemDeclaration) -> str:
     """Returns the name of a system command. BEGIN_DOWNLOAD is the firmware's and the bootloader's."""
     return f"BOOTLOADER.{entry.name}" if entry.bootloader else entry.name
 
@@ -138,7 +138,7 @@ class Notation:
         return (*VARIABLE_WORDS, *PARAMETER_WORDS, *(OLD_WORDS if self.last_counts else ()))
 
 
-MACROS = Notation(
+MACRO_NOTATION = Notation(
     name="macros",
     text=r"""'(?:[^'\\\r\n]|\\[^\r\n])*'""",
     marks=r"\.\.\.|[-+*/|()\[\]{},:;=@&#]",
@@ -158,7 +158,7 @@ STRICT = Notation(
     rules=OF_LEGO,
 )
 
-LEGO = Notation(
+LEGO_NOTATION = Notation(
     name="lego",
     blank=rf"[(),]|{_BLANK}|=[ \t]*(?://[^\r\n]*)?(?:{NEWLINE})|//[^\r\n]*+",
     text=r"'(?>(?:''|\\\\|\\'|[^'\r\n])*)'",

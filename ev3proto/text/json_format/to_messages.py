@@ -91,7 +91,7 @@ def _no_json(error: Exception, start: int) -> RecordError:
     return RecordError("this JSON cannot be read: it is nested too deep, or a number is too long", start)
 
 
-def frames_in(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
+def frames_of_json(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
     """Yields the frames of one object: one, the two of a dialogue, or none for a text on WiFi. Raises RecordError.
 
     The object's keys decide. If they agree with its key `hex`, that is the frame, so every frame comes back byte for

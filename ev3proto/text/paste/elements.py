@@ -189,7 +189,7 @@ def clean(line: str) -> str:
     return line if line.isascii() else line.translate(_LOOKALIKES)
 
 
-def split(line: str, number: int = 0) -> tuple[list[TextElement], str]:
+def elements_of(line: str, number: int = 0) -> tuple[list[TextElement], str]:
     """Returns the elements of a line, and what is behind the last one, without comments."""
     found: list[TextElement] = []
     new, at, gap = tuple.__new__, 0, ""  # as TextElement(...), in half its time: lines have many
@@ -239,7 +239,7 @@ _TEXT_IN_CALL = re.compile(r"(?<=[\w\])]\()\"(?=[^\"\\]+\"\s?\))")
 def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | None:
     """Returns the elements with expressions and texts among them: `{size, 0}`, `m[0] = size;`, `print("abc")`.
 
-    None if there are none but those of `split`. `is_inside` tells that the line begins inside a list.
+    None if there are none but those of `elements_of`. `is_inside` tells that the line begins inside a list.
     """
     line = _CAST.sub(lambda cast: " " * len(cast[0]), line)
     opening = _OPENING.search(line)
@@ -258,7 +258,7 @@ def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | N
     # A list of names has few bytes.
     wide = "".join([*parts, line[at:]]) if count * 2 <= slots or count == 1 else line
     wide = _TEXT_IN_CALL.sub(TEXT, wide)
-    return None if wide == line else [_named(one, line) for one in split(wide, number)[0]]
+    return None if wide == line else [_named(one, line) for one in elements_of(wide, number)[0]]
 
 
 def _named(element: TextElement, line: str) -> TextElement:
@@ -270,7 +270,7 @@ def _named(element: TextElement, line: str) -> TextElement:
 def _is_expression(text: str) -> bool:
     if _IDENTIFIER.search(text) is None or _WORDS.search(text):
         return False
-    known = split(text)[0]
+    known = elements_of(text)[0]
     return len(known) != 1 or _OPERATOR.search(text[: known[0].start] + text[known[0].end :]) is not None
 
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from ev3proto.schema.header import with_length
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.elements import BYTES, TextElement, split, unknown_bytes, widened
+from ev3proto.text.paste.elements import BYTES, TextElement, elements_of, unknown_bytes, widened
 from ev3proto.text.paste.frames import Edges, has_place, is_whole, may_begin, may_begin_wrong
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED
 
@@ -205,7 +205,7 @@ class Row:
 
     def __init__(self, line: str, number: int, *, is_inside: bool = False) -> None:
         self.line, self.number, self._is_inside = line, number, is_inside
-        elements, self.after = split(line, number)
+        elements, self.after = elements_of(line, number)
         self.elements = _without_text(line, elements) if elements and _TEXT.search(line, elements[0].end) else elements
 
     @cached_property

@@ -5,6 +5,6 @@ moves that end by themselves, `pair` two motors in step, and `outputs` the four 
 """
 
 from ev3proto.brick.devices.motors.motor import Motor, Reading
-from ev3proto.brick.devices.motors.outputs import PORTS, Outputs, are_busy
+from ev3proto.brick.devices.motors.outputs import PORT_LETTERS, Outputs, are_busy
 
-__all__ = ["PORTS", "Motor", "Outputs", "Reading", "are_busy"]
+__all__ = ["PORT_LETTERS", "Motor", "Outputs", "Reading", "are_busy"]

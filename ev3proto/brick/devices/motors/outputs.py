@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from ev3proto.brick.devices.motors.motor import PERCENT, Motor, Reading, clamp
 from ev3proto.brick.devices.motors.move import Move, aligned
 from ev3proto.brick.devices.motors.pair import Pair
-from ev3proto.brick.devices.motors.rotor import TICK
+from ev3proto.brick.devices.motors.rotor import CONTROL_PERIOD
 from ev3proto.brick.parts import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 
-PORTS = ("A", "B", "C", "D")
+PORT_LETTERS = ("A", "B", "C", "D")
 
 _CHUNK = 256
 """Ticks after which it is seen whether motors are steady, so that time can be skipped."""
@@ -21,13 +21,13 @@ class Outputs(Part):
     """The four motor ports of a brick."""
 
     def __init__(self) -> None:
-        self.motors = tuple(Motor() for _ in PORTS)
+        self.motors = tuple(Motor() for _ in PORT_LETTERS)
         self._pair: Pair | None = None
         self._tick = 0
 
     def plug(self, port: str, type: int, fixed: Reading | None) -> None:
         """Plugs a motor in, see Motor.plug; the port's name is one of PORTS."""
-        self.motors[PORTS.index(port.upper())].plug(type, fixed)
+        self.motors[PORT_LETTERS.index(port.upper())].plug(type, fixed)
 
     def chosen(self, layer: int, nos: int) -> list[Motor]:
         """Returns the motors of a bit field; none on another brick of the daisy chain."""
@@ -42,11 +42,11 @@ class Outputs(Part):
 
     def one(self, layer: int, number: int) -> Motor | None:
         """Returns the motor of a port; None for an unknown port."""
-        return self.motors[number] if layer == 0 and 0 <= number < len(PORTS) else None
+        return self.motors[number] if layer == 0 and 0 <= number < len(PORT_LETTERS) else None
 
     def missing(self, motors: Sequence[Motor]) -> list[str]:
         """Returns the ports without a motor on which a move is in progress, among some motors."""
-        found = zip(PORTS, self.motors, strict=True)
+        found = zip(PORT_LETTERS, self.motors, strict=True)
         return [port for port, motor in found if motor in motors and motor.is_busy and not motor.is_there]
 
     # Moves
@@ -99,7 +99,7 @@ class Outputs(Part):
     def program_started(self, program: Program) -> None:
         """Stops all motors before a user program."""
         if program.slot == USER_SLOT:
-            for motor in self.freed(0, (1 << len(PORTS)) - 1):
+            for motor in self.freed(0, (1 << len(PORT_LETTERS)) - 1):
                 motor.stop(0)
                 motor.polarity = 1
 
@@ -107,7 +107,7 @@ class Outputs(Part):
 
     def advance(self, microseconds: int) -> None:
         """Advances to a time."""
-        until = microseconds // TICK
+        until = microseconds // CONTROL_PERIOD
         if until == self._tick:
             return
         self._tick = until

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 from ev3proto.brick.devices.motors.characteristics import LARGE_TYPE, MEDIUM_TYPE, MOST_POWER
 
-TICK = 2_000
+CONTROL_PERIOD = 2_000
 """Microseconds of a tick of the driver."""
 
-TICK_MILLISECONDS = TICK // 1_000
+TICK_MILLISECONDS = CONTROL_PERIOD // 1_000
 
 DEGREE = 1_000_000
 """Parts of a degree in which places are counted, so that equal steps add up exactly."""
@@ -39,7 +39,7 @@ class _Response(NamedTuple):
 
 def _response(lag: float) -> _Response:
     """Returns the response for a lag in seconds."""
-    part = TICK / 1_000_000 / _PARTS
+    part = CONTROL_PERIOD / 1_000_000 / _PARTS
     keep = 1 - part / lag
     rest = keep**_PARTS
     return _Response(rest, part * keep * (1 - rest) / (1 - keep))
@@ -89,14 +89,14 @@ class Rotor:
     @property
     def steady_step(self) -> int:
         """The parts of a degree of a tick at the final speed."""
-        return round(self._target * TICK)
+        return round(self._target * CONTROL_PERIOD)
 
     def turn(self) -> int:
         """Turns for a tick. Returns how far, in parts of a degree."""
         target = self._target
         difference = self.velocity - target
         rest, seconds = self._response
-        step = round(target * TICK + difference * seconds * DEGREE)
+        step = round(target * CONTROL_PERIOD + difference * seconds * DEGREE)
         difference *= rest
         limit = _NEGLIGIBLE if target else _STICTION
         self.velocity = target if -limit < difference < limit else target + difference

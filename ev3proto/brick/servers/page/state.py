@@ -12,8 +12,8 @@ from typing import Any
 from ev3proto.brick.brick import Brick
 from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.devices.buttons import BUTTONS
-from ev3proto.brick.devices.motors import PORTS as MOTOR_PORTS
-from ev3proto.brick.devices.sensors import PORTS
+from ev3proto.brick.devices.motors import PORT_LETTERS
+from ev3proto.brick.devices.sensors import SENSOR_COUNT
 from ev3proto.brick.running_programs import RUNNING, USER_SLOT
 from ev3proto.brick.servers.page.watcher import Unshown
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType
@@ -113,7 +113,7 @@ def _motors(brick: Brick) -> list[dict[str, Any]]:
             "speed": motor.reading.speed,
             "busy": motor.is_busy,
         }
-        for port, motor in zip(MOTOR_PORTS, brick.equipment.outputs.motors, strict=True)
+        for port, motor in zip(PORT_LETTERS, brick.equipment.outputs.motors, strict=True)
     ]
 
 
@@ -126,7 +126,7 @@ def _endless(brick: Brick) -> str:
 def _sensors(brick: Brick) -> list[dict[str, Any]]:
     plugged = brick.equipment.inputs.plugged()
     found: list[dict[str, Any]] = []
-    for port in range(1, PORTS + 1):
+    for port in range(1, SENSOR_COUNT + 1):
         device = plugged.get(port)
         if device is None:
             found.append({"port": port, "type": NO_DEVICE.number, "mode": 0, "values": []})

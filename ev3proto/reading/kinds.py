@@ -191,10 +191,10 @@ MOST_RAW = 1 << 26
 
 def _raw_frames(stream: BufferedReader[Any], dialect: str) -> Iterator[Pasted] | None:
     """Reads the bytes of frames that follow one another; None if the stream starts with something else."""
-    start = stream.peek(HEADER_SIZE)[:HEADER_SIZE]
+    start = stream.read(HEADER_SIZE)
     if frame_end(start) is None:
         return None
-    data = stream.read(MOST_RAW + 1)
+    data = start + stream.read(MOST_RAW + 1 - len(start))
     ends = frame_ends(data)
     if ends is not None:
         return _cut(data, ends)

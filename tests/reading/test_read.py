@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import BinaryIO, cast
 
 import pytest
+from support.cases import each
+from support.chunks import Pipe, assert_read
 
 import ev3proto
 from ev3proto.reading import ProblemCode, Severity, SourceKind, assembled
@@ -258,3 +260,28 @@ def test_a_slip_in_a_dump_has_the_line_of_its_row() -> None:
     assert isinstance(problem, ev3proto.Problem)
     assert (problem.place.line, problem.place.column) == (3, 10)
     assert str(problem).endswith("line 3, column 10: '0g' is not hex")
+
+
+# Chunks
+
+
+CHUNKED = {
+    "raw frames": bytes.fromhex("0e002a0080000094010182b80182e803 0600010080000001"),
+    "a log": b"# A log\n12:30:45.5 Sent 0x|06:00|01:00|80|00:00|01|\n12:30:45.6 Sent 08 00 zz\n",
+    "an array": b"byte[] data = {\n  0x06, 0x00, 0x2a, 0x00,\n  0x80, 0x00, 0x00, 0x01\n};\n",
+    "assembly": b"SOUND(TONE, 1, 440, 1000)\nUI_WRITE(LED, 2)\n",
+    "a source": b"vmthread MAIN\n{\n  UI_WRITE(LED, LED_RED)\n}\n",
+    "a capture": (CAPTURES / "daisy.pcap").read_bytes(),
+}
+
+
+def told(chunks: list[bytes]) -> list[str]:
+    return [f"{item!r} at {item.place}" for item in ev3proto.read(Pipe(chunks))]
+
+
+@each("name", CHUNKED)
+def test_what_is_found_does_not_depend_on_the_chunks(name: str) -> None:
+    data = CHUNKED[name]
+    found = told([data])
+    assert found
+    assert_read(told, data, found)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from support.chunks import assert_read
 
 import ev3proto
 from ev3proto.brick.servers.host import Connection
@@ -118,13 +119,8 @@ ALL = [
 
 @pytest.mark.parametrize(("reader", "data", "frames"), ALL)
 def test_readers(reader: Callable[[Chunks], Iterator[bytes]], data: bytes, frames: list[bytes]) -> None:
-    assert list(reader([data])) == frames
-    assert list(reader([data[:1], data[1:]])) == frames
-    for behind in (b"\x06", NOP[:2], NOP[:-1]):
-        assert list(reader([data + behind])) == frames
-    assert list(reader([data + NOP])) == [*frames, NOP]
-    if len(data) < 2000:
-        assert list(reader([data[at : at + 1] for at in range(len(data))])) == frames
+    begun = [(part, ()) for part in (b"\x06", NOP[:2], NOP[:-1])]
+    assert_read(lambda chunks: list(reader(chunks)), data, frames, [*begun, (NOP, [NOP])])
 
 
 # The buffer itself

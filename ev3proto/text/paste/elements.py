@@ -95,7 +95,6 @@ FORMS = (
         "string", "b'it'", rf"(?<!\w)b(?![\"'](?:{_H}{{2}}){{5,}}[\"'])(?:'[^'\\]*'|\"[^\"\\]*\")"
     ),  # hex digits, as in unhexlify(b'0f00'), are read as such
     Form("string", f'{TEXT}abc"', f'{TEXT}[^"]*"'),
-    Form("marked", r"\x0f0000008000", rf"\\x{_H}{{10,}}(?![\w\\])"),
     Form("string", r"\x0f\0", rf"(?<!\w)(?:{_ESCAPE}){{2}}(?>(?:{_ESCAPE}|[!\#-&(-\[\]-~](?=\S))*)"),
     # Characters in quotes are their codes: `'a'`, Erlang's `$a`.
     Form("blank", "97| 'a'|", rf"(?<=[\da-fA-F]\s)'{_CHARACTER}'"),
@@ -356,28 +355,36 @@ _OF_DIGITS = {
     "base64": _base64,
 }
 
-_WAYS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], bytes | None]], ...] = tuple(
-    (re.compile(pattern, re.DOTALL), make)
-    for pattern, make in (
-        (r"(?:\.\.\.|\u2026).*|\W(?:truncated|snip).*", lambda *_: None),
-        (r"'([0-9a-fA-F]+)'", lambda found, base: _unquoted(found[1], base)),
-        (rf"{TEXT}([^\"]*)\"", lambda found, _: string_bytes(found[1])),
-        (r"""[^'"`\\xX]*(["'`])(.*)\1""", lambda found, _: string_bytes(found[2])),
-        (r"b?[\"'].*", lambda *_: None),  # a string without its second quote
-        (r"\$([^0-9a-fA-F]|[a-fA-F])", lambda found, base: _character(found[1], base)),
-        (rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?", lambda found, _: _hex(found[1])),
-        # Assemblers want a digit first: `0A3h`.
-        (rf"(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]", lambda found, _: _hex(found[1])),
-        (r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})", lambda found, _: _byte(int(found[1] + found[2], 2))),
-        (rf"(-?\d{{1,9}}){_SUFFIX}?", lambda found, _: _byte(int(found[1]), -128)),
-        (f"{EXPRESSION}+", lambda *_: b"\0"),
-        (_UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM]", "0", found[1]))),
-        (rf"{_H}{{2}}(?:_{_H}{{2}})+", lambda found, _: bytes.fromhex(found[0].replace("_", ""))),
-        (r"\\.*", lambda found, _: string_bytes(found[0])),
-        (r".*", lambda found, _: _of_name(found[0])),
-    )
+
+class Way(NamedTuple):
+    """How an element says what it is: an example, the pattern of all of it, and its bytes in a base."""
+
+    example: str
+    pattern: str
+    bytes_of: Callable[[re.Match[str], str], bytes | None]
+
+
+_WAYS = (
+    Way("'0f'", r"'([0-9a-fA-F]+)'", lambda found, base: _unquoted(found[1], base)),
+    Way(f'{TEXT}ab"', rf"{TEXT}([^\"]*)\"", lambda found, _: string_bytes(found[1])),
+    Way(r"b'\x0f'", r"""[^'"`\\xX]*(["'`])(.*)\1""", lambda found, _: string_bytes(found[2])),
+    Way("$a", r"\$([^0-9a-fA-F]|[a-fA-F])", lambda found, base: _character(found[1], base)),
+    Way(
+        "0xf",
+        rf"(?:\\?0[xX]|\\[xX]|\#?\$|&[hH]|\#[xX]|[xX])'?({_H}+)(?:'|{_SUFFIX})?",
+        lambda found, _: _hex(found[1]),
+    ),
+    # Assemblers want a digit first: `0A3h`.
+    Way("0A3h", rf"(?:0(?=(?:{_H}{{2}})+[hH]))?({_H}+)[hH]", lambda found, _: _hex(found[1])),
+    Way("0b00001111", r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})", lambda found, _: _byte(int(found[1] + found[2], 2))),
+    Way("-128", rf"(-?\d{{1,9}}){_SUFFIX}?", lambda found, _: _byte(int(found[1]), -128)),
+    Way(EXPRESSION, f"{EXPRESSION}+", lambda *_: b"\0"),
+    Way("0fxx", _UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM]", "0", found[1]))),
+    Way("0f_00", rf"{_H}{{2}}(?:_{_H}{{2}})+", lambda found, _: bytes.fromhex(found[0].replace("_", ""))),
+    Way(r"\17\0", r"\\.*", lambda found, _: string_bytes(found[0])),
+    Way("opNOP", r".*", lambda found, _: _of_name(found[0])),
 )
-"""How an element says what it is, and its bytes; the first row that fits counts."""
+"""The first row that fits counts."""
 
 
 def _unquoted(text: str, base: str) -> bytes | None:
@@ -390,12 +397,16 @@ def _character(letter: str, base: str) -> bytes | None:
     )
 
 
+_compiled = cache(lambda pattern: re.compile(pattern, re.DOTALL))
+
+
 def _bytes_of(text: str, base: str) -> bytes | None:
     if _ONLY_DIGITS.fullmatch(text):
         return _OF_DIGITS[base](text)
     if base == "base64":
         return _base64(text)
-    return next(make(found, base) for pattern, make in _WAYS if (found := pattern.fullmatch(text)))
+    ways = ((way, _compiled(way.pattern).fullmatch(text)) for way in _WAYS)
+    return next((way.bytes_of(found, base) for way, found in ways if found is not None), None)
 
 
 _of_long = lru_cache(64)(_bytes_of)

@@ -24,6 +24,7 @@ from ev3proto.text.paste.frames import (
 )
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
+from ev3proto.text.paste.repairs import LOOKALIKES
 from ev3proto.text.paste.runs import AROUND, Part, Row, Run
 from ev3proto.text.paste.strangers import strange_bytes, written
 
@@ -41,8 +42,6 @@ _WHO_CUTS = (
         "the description of NSData is cut in the middle; print each byte",
     ),
 )
-SCANNED = str.maketrans("OolIi", "00111")
-"""The digits that are read as letters in scanned pictures."""
 _ENDLESS = re.compile(r"\\(?:[xXu](?:[0-9a-fA-F]?|\{[0-9a-fA-F]*))?$")
 """A part of an escape, at which a string is cut."""
 
@@ -267,7 +266,7 @@ def not_a_byte(word: str, *, is_hex: bool = True) -> str:
         return f"{short(word)!r} is more than 255, which a byte cannot be"
     if has_digits and len(digits) % 2:
         return f"{short(word)!r} has an odd number of hex digits ({len(digits)}); two make a byte"
-    meant = digits.translate(SCANNED)
+    meant = digits.translate(LOOKALIKES)
     help_text = f"; did you mean {word[: -len(digits)] + meant!r}?" if _is_hex(meant) and meant != digits else ""
     return f"{short(word)!r} is not {'hex' if is_hex else 'a number'}{help_text}"
 

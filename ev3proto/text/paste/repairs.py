@@ -108,10 +108,10 @@ def _rest(digits: str, done: str, count: int) -> Iterator[str]:
 
 
 REPAIRS = (
-    Repair("\uff10\uff26\u3000\uff10\uff10", _wide, "its letters are as wide as an ideograph (full-width)"),
+    Repair("\uff10\uff16002a0080000001", _wide, "its letters are as wide as an ideograph (full-width)"),
     Repair("O6 00 2a 00 8O 00 00 01", _lookalikes, "{word!r} is not hex; did you mean {meant!r}?", is_read=False),
-    Repair("0d002a00ffffff80000001", _signed, "a byte above 7f is spread over 32 bits (ffffff80); print it & 0xff"),
-    Repair(r"\08\00*\00\80\00\00\A4", _labview, "these are '\\' codes of LabVIEW"),
+    Repair("06002a00ffffff80000001", _signed, "a byte above 7f is spread over 32 bits (ffffff80); print it & 0xff"),
+    Repair(r"\06\00*\00\80\00\00\01", _labview, "these are '\\' codes of LabVIEW"),
     Repair(
         "F0000008000009401810282E80382E803",
         _lost_zero,
@@ -142,8 +142,8 @@ def repaired(row: Row) -> Repaired | None:
         found = [(text, reading) for text in tried if text != line and (reading := _flawless(text, row.number))]
         if found:
             text, reading = min(found, key=lambda one: _oddness(_frame(one[1]))) if len(found) > 1 else found[0]
-            if text[:-1] in line:
-                return None  # what was cut is not known
+            if repair.candidates is _lost_zero and text[:-1] in line:
+                return None  # its last digit was cut off, and is not known
             return _told(repair, line, text, reading, row.number)
     return None
 

@@ -171,7 +171,7 @@ class _Digits(NamedTuple):
 
 _BY_DIGITS: tuple[tuple[str, Callable[[_Digits], bool], tuple[str, ...]], ...] = (
     ("00001111 00000000 00000010", lambda one: one.widths == {8} and {*"".join(one.texts)} <= {*"01"}, ("bits",)),
-    ("15, 0, -128", lambda one: one.are_signed, ("decimal", "hex")),
+    ("06 00 -128", lambda one: one.are_signed, ("decimal", "hex")),
     ("0f 00 80", lambda one: one.widths == {2} and one.are_padded, ("hex",)),
     ("0f000000 8000, 0f 0 80", lambda one: max(one.widths) >= _WIDE or one.are_padded, ("hex", "decimal")),
     ("10 20 30", lambda one: one.widths == {2} and one.are_all, ("hex", "decimal")),

@@ -95,22 +95,22 @@ def counters_slip(commands: Collection[bytes], replies: Collection[bytes]) -> st
         commands: The frames of commands that wait for a reply.
         replies: The frames of replies to none of them.
     """
-    asked = [(key - counter, counter, size) for key, size, counter in map(_parts, commands)]
-    given = [(key - counter, counter, size) for key, size, counter in map(_parts, replies)]
-
-    def explains(slip: Callable[[int], int]) -> bool:
-        fitting = [(kind, slip(counter), size) for kind, counter, size in asked]
-        sized = [each for each in given if each[2] is not None]
-        kinds = Counter(each[:2] for each in given) <= Counter(each[:2] for each in fitting)
-        return kinds and Counter(sized) <= Counter(fitting)
-
-    found = (name for name, slip in _SLIPS.items() if asked and given and explains(slip))
-    return next((f"the replies' counters are {name}" for name in found), None)
+    given = _wanted(replies, lambda counter: counter)
+    for name, slip in _SLIPS.items():
+        if given and given <= _wanted(commands, slip):
+            return f"the replies' counters are {name}"
+    return None
 
 
-def _parts(frame: bytes) -> tuple[int, int | None, int]:
-    """Returns the key and the size of a frame, and its counter."""
-    return *pairing_key(frame), unpack_header(frame)[1]
+def _wanted(frames: Collection[bytes], slip: Callable[[int], int]) -> Counter[tuple[int, int | None]]:
+    """Returns how many frames have each key after a slip of the counter, by itself and with each size."""
+    found: Counter[tuple[int, int | None]] = Counter()
+    for frame in frames:
+        key, size = pairing_key(frame)
+        counter = unpack_header(frame)[1]
+        key += slip(counter) - counter
+        found.update({(key, None), (key, size)})
+    return found
 
 
 class Answer(NamedTuple, Generic[T]):
@@ -215,28 +215,31 @@ class Pairing(Generic[T]):
         It is the oldest that the reply fits and that was not sent too long ago. If all were, the brick was slow: it is
         the oldest of them. If it fits none, it is the newest of an ordered conversation.
         """
-        numbers = self._numbers.get(key)
-        if numbers is None:
-            return None
+        numbers = self._numbers.get(key, [])
         waiting = self._waiting
         fitting = [number for number in numbers if size is None or waiting[number].size in (size, None)]
         if not self._is_ordered:
             numbers = fitting = self._labelled(fitting, label)
-            if not fitting:
-                return None
-        is_sure = len(fitting or numbers) == 1
+        if not numbers:
+            return None
         number = fitting[0] if fitting else numbers[-1]
-        if not is_sure:
-            patience_ns = self._patience_ns
-            number = next((one for one in fitting if self._age_ns(one, time_ns) <= patience_ns), number)
-        else:
+        is_sure = len(fitting or numbers) == 1
+        if is_sure:
             self._longest_ns = max(self._longest_ns, self._age_ns(number, time_ns))
+        else:
+            in_time = self._in_time(fitting, time_ns)
+            number = number if in_time is None else in_time
         for earlier in numbers[: numbers.index(number)]:
             self._lose(earlier)
         if not self._is_ordered:
             is_sure = is_sure and number not in self._unsure
             self._unsure.update(fitting)
         return Answer(self._forget(number), is_sure)
+
+    def _in_time(self, fitting: list[int], time_ns: int | None) -> int | None:
+        """Returns the oldest of some commands that was not sent too long ago; None if all were."""
+        patience_ns = self._patience_ns
+        return next((number for number in fitting if self._age_ns(number, time_ns) <= patience_ns), None)
 
     def _labelled(self, fitting: list[int], label: str) -> list[int]:
         """Returns those of the commands that a reply with a label may answer."""

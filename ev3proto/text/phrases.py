@@ -321,10 +321,15 @@ def dialogue_line(
             line.append((f"  ({reply.note.partition(':')[0]})", Role.ASIDE))
     elif command is not None and command.wants_reply:
         line.append((" -> no reply", Role.FAULT))
-    lonely = command if reply is None else reply.message if command is None else None
-    if lonely is not None and lonely.type is not None and (lonely is not command or lonely.wants_reply):
-        line.append((f"  (counter {lonely.counter})", Role.ASIDE))
+        line += _counter(command)
+    if reply is not None and command is None:
+        line += _counter(reply.message)
     return line
+
+
+def _counter(message: Message) -> Spans:
+    """Returns the counter of a command without a reply, or of a reply without a command."""
+    return [] if message.type is None else [(f"  (counter {message.counter})", Role.ASIDE)]
 
 
 def _operations(operations: tuple[Operation, ...]) -> Spans:

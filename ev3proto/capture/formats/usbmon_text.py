@@ -12,6 +12,7 @@ from typing import Any
 
 from ev3proto.capture.packets import Format, Interface, Packet
 from ev3proto.capture.record import CaptureError
+from ev3proto.errors import counted
 from ev3proto.tables.carriers import Link
 
 _LINE = re.compile(
@@ -57,47 +58,64 @@ def _matches(head: bytes) -> bool | None:
     return None if may_be else False
 
 
-def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
-    """Yields the packets of a file as usbmon's binary ones; their times count from the first. Raises CaptureError."""
+class _Clock:
+    """Times from the first line on, although those of the kernel begin again."""
+
+    def __init__(self) -> None:
+        self._first_ns: int | None = None
+        self._last = self._turns = 0
+
+    def time_ns(self, microseconds: int) -> int:
+        """Returns the time of the next line, in nanoseconds."""
+        self._turns += self._last - microseconds > _CYCLE // 2
+        self._last = microseconds
+        time_ns = (self._turns * _CYCLE + microseconds) * 1000
+        if self._first_ns is None:
+            self._first_ns = time_ns
+        return time_ns - self._first_ns
+
+
+def _header(found: re.Match[str], size: int, captured: int) -> bytes:
+    """Returns usbmon's binary header for a line."""
     from ev3proto.capture.carriers.usb.requests import USBMON  # takes 8 ms, which other formats do not need
 
-    interface, header = Interface(Link.USBMON), USBMON["<"]
-    number = at = turns = 0
-    first = last = None
-    wrong: list[int] = []
+    return USBMON["<"].pack(
+        int(found["tag"], 16),
+        ord(found["event"]),
+        _TYPES[found["type"]],
+        int(found["endpoint"]) | _IN * (found["way"] == "i"),
+        int(found["device"]),
+        int(found["bus"]),
+        _NO_SETUP,
+        _NO_DATA * (not captured),
+        *divmod(int(found["microseconds"]), _SECOND),
+        int(found["status"] or 0) & 0xFFFFFFFF,
+        size,
+        captured,
+        b"",
+    )
+
+
+def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
+    """Yields the packets of a file as usbmon's binary ones; their times count from the first. Raises CaptureError."""
+    interface, clock = Interface(Link.USBMON), _Clock()
+    number = at = wrong = first_wrong = 0
     while line := stream.readline(_MOST_LINE):
         at += 1
         text = line.removeprefix(_BYTE_ORDER_MARK).strip()
         found = _LINE.fullmatch(text.decode("latin-1"))
-        if found is None:
-            wrong += [] if _is_comment(text) else [at]
-            continue
-        microseconds = int(found["microseconds"])
-        turns += last is not None and last - microseconds > _CYCLE // 2
-        last = microseconds
-        first = microseconds if first is None else first
-        number += 1
-        data, size = bytes.fromhex(found["data"] or ""), int(found["size"]) if found["data"] else 0
-        head = header.pack(
-            int(found["tag"], 16),
-            ord(found["event"]),
-            _TYPES[found["type"]],
-            int(found["endpoint"]) | _IN * (found["way"] == "i"),
-            int(found["device"]),
-            int(found["bus"]),
-            _NO_SETUP,
-            0 if data else _NO_DATA,
-            *divmod(microseconds, _SECOND),
-            int(found["status"] or 0) & 0xFFFFFFFF,
-            size,
-            len(data),
-            b"",
-        )
-        time_ns = (turns * _CYCLE + microseconds - first) * 1000
-        yield Packet(number, time_ns, head + data, len(head) + size, interface)
+        if found is not None:
+            number += 1
+            data = bytes.fromhex(found["data"] or "")
+            size = int(found["size"]) if data else 0
+            head = _header(found, size, len(data))
+            time_ns = clock.time_ns(int(found["microseconds"]))
+            yield Packet(number, time_ns, head + data, len(head) + size, interface)
+        elif not _is_comment(text):
+            wrong += 1
+            first_wrong = first_wrong or at
     if wrong:
-        lines = "lines" if len(wrong) > 1 else "line"
-        raise CaptureError(f"{len(wrong)} {lines} cannot be read, the first is line {wrong[0]}")
+        raise CaptureError(f"{counted(wrong, 'line')} cannot be read, the first is line {first_wrong}")
 
 
 FORMAT = Format("usbmon's text", (".txt", ".mon"), _NEEDED, _matches, packets)

@@ -938,6 +938,7 @@ UI = (
                     ),
                 ),
                 effects=(Effect.DRAWS, Effect.WIPES),
+                words="clear erase screen",
             ),
             Command(
                 20,

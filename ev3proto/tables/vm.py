@@ -72,6 +72,7 @@ VM = (
         ),
         effects=(Effect.MAY_END, Effect.CONTROLS_PROGRAMS),
         sentence="stops the program in slot {PRGID}",
+        words="abort kill",
     ),
     Opcode(
         0x03,

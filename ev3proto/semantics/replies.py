@@ -11,9 +11,10 @@ from ev3proto.messages import DirectCommand, DirectReply, Message, SystemCommand
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, results
-from ev3proto.semantics.readings import dataset_of
+from ev3proto.semantics.readings import datasets_of
 from ev3proto.tables import mailboxes
 from ev3proto.tables.declaration import Type
+from ev3proto.tables.devices import Dataset
 from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
 
@@ -133,14 +134,14 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
     for operation in command.operations:
         if not operation.has_outputs:
             continue
-        outputs = results(operation)
+        outputs, datasets = results(operation), datasets_of(operation)
         for found in outputs:
-            value = _read(found, outputs, reply.memory)
+            value = _read(found, outputs, reply.memory, datasets.get(found.number))
             if value is not None:
                 yield value
 
 
-def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | None:
+def _read(found: Footprint, outputs: list[Footprint], memory: bytes, dataset: Dataset | None) -> Value | None:
     """Returns the value of one output, None if the memory does not hold it."""
     argument, start = found.argument, found.start
     parameter = argument.parameter
@@ -176,7 +177,7 @@ def _read(found: Footprint, outputs: list[Footprint], memory: bytes) -> Value | 
         value = numbers
         symbol = [parameter.enum.name_of(number) for number in numbers] if parameter.enum else None
     unit, quantity = None if argument.form.handle else parameter.unit, None
-    if dataset := dataset_of(found.operation.arguments, found.number):
+    if dataset is not None:
         unit, quantity = dataset.unit or None, dataset.name
     return Value(
         found.operation.name,

@@ -78,9 +78,6 @@ class Role(Enum):
     PUBLIC = "a text or list that says nothing about its owner: names of devices and modes, units, versions"
 
 
-READINGS = (Role.SI_READING, Role.RAW_READING)
-
-
 class Effect(Enum):
     """A side effect of an operation or system command that its parameters do not show. The value completes "it ...".
 
@@ -447,7 +444,7 @@ class Declaration:
     @cached_property
     def has_readings(self) -> bool:
         """Whether it receives readings of a device."""
-        return any(parameter.role in READINGS for parameter in self.parameters)
+        return any(parameter.role in (Role.SI_READING, Role.RAW_READING) for parameter in self.parameters)
 
     @property
     def is_jump(self) -> bool:

@@ -17,7 +17,7 @@ from ev3proto.messages import (
     SystemReply,
 )
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
-from ev3proto.semantics.readings import dataset_of
+from ev3proto.semantics.readings import datasets_of
 from ev3proto.semantics.replies import field_values, guesses
 from ev3proto.tables.daisy import TEXTS as DAISY_TEXTS
 from ev3proto.tables.daisy import DaisySubCommand
@@ -74,11 +74,11 @@ def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset())
         lines.append(Line(spans, cmd.offset, cmd.length))
     arguments = operation.arguments
     width = max([len(argument.name) for argument in arguments], default=0)
-    has_readings = operation.declaration.has_readings
+    datasets = datasets_of(operation)
     for number, argument in enumerate(arguments):
         parameter, offset = argument.parameter, argument.offset
         meaning = argument_meaning(argument)
-        dataset = dataset_of(arguments, number) if has_readings else None
+        dataset = datasets.get(number)
         if unknown and not unknown.isdisjoint(range(offset, offset + argument.length)):
             value, meaning = "?", ""
         else:

@@ -18,7 +18,7 @@ from ev3proto.messages import (
     SystemCommand,
     SystemReply,
 )
-from ev3proto.semantics.readings import dataset_of
+from ev3proto.semantics.readings import datasets_of
 from ev3proto.semantics.replies import guesses
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.tables.system import status_meaning
@@ -147,22 +147,14 @@ def operation_record(operation: Operation) -> dict[str, Any]:
         "length": operation.length,
         "args": [_argument(argument) for argument in operation.arguments],
     }
-    if operation.declaration.has_readings:
-        _name_readings(operation, entry["args"])
+    for number, dataset in datasets_of(operation).items():
+        entry["args"][number] |= {"quantity": dataset.name} | ({"unit": dataset.unit} if dataset.unit else {})
     cmd = operation.cmd if operation.is_complete else None
     if cmd is not None and cmd.length > 1:
         entry["command_encoding"] = cmd.encoding
     if not operation.is_complete:
         entry["complete"] = False
     return entry
-
-
-def _name_readings(operation: Operation, entries: list[dict[str, Any]]) -> None:
-    """Adds what variables receive from a device."""
-    arguments = operation.arguments
-    for number, entry in enumerate(entries):
-        if dataset := dataset_of(arguments, number):
-            entry |= {"quantity": dataset.name} | ({"unit": dataset.unit} if dataset.unit else {})
 
 
 def _argument(argument: Argument) -> dict[str, Any]:

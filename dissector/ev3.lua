@@ -798,6 +798,8 @@ local FINDINGS = {
     LONG = { "E502", "{name} has {characters}; the firmware accepts at most {most}" },
     NO_PORTS = { "H702", "{name} is 0, a bit mask without a port, so {owner} does nothing" },
 }
+local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
+local SLIPS = { length_self = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent, so the brick waits and takes %d bytes of the next frame" }
 local REFUSED = { E204 = true, E206 = true }
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
@@ -910,7 +912,9 @@ local experts = {
     error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
     failed = ProtoExpert.new("ev3.expert.failed", "The command failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
     orphan = ProtoExpert.new("ev3.expert.orphan", "The command that this reply answers was not seen", expert.group.SEQUENCE, expert.severity.NOTE),
-    unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen", expert.group.SEQUENCE, expert.severity.NOTE),
+    unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen", expert.group.SEQUENCE, expert.severity.WARN),
+    waiting = ProtoExpert.new("ev3.expert.waiting", "No reply to this command was seen so far", expert.group.SEQUENCE, expert.severity.NOTE),
+    incomplete_file = ProtoExpert.new("ev3.expert.incomplete_file", "A file with another size than announced", expert.group.SEQUENCE, expert.severity.WARN),
     unsure = ProtoExpert.new("ev3.expert.unsure", "The pairing is unsure", expert.group.SEQUENCE, expert.severity.NOTE),
     bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3", expert.group.PROTOCOL, expert.severity.ERROR),
 }
@@ -1531,16 +1535,26 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
+    -- Returns a template with values for its names in braces.
+    function phrases.filled(template, values)
+        return (gsub(template, "{(%w+)}", values))
+    end
+
     -- Returns the names of the operations after the first one, as far as there is room.
     function phrases.others_text(names)
-        local size, shown = 0, {}
-        for index, name in ipairs(names) do
+        local size, shown, index = 0, {}, 1
+        while index <= #names do
+            local name, first = names[index], index
+            while names[index + 1] == name do
+                index = index + 1
+            end
+            if index > first then name = format("%s x %d", name, index - first + 1) end
             size = size + #name + 2
             if size > MOST_NAMES then
-                shown[index] = format("%d more", #names - index + 1)
+                shown[#shown + 1] = format("%d more", #names - first + 1)
                 break
             end
-            shown[index] = name
+            shown[#shown + 1], index = name, index + 1
         end
         return "(+" .. concat(shown, ", ") .. ")"
     end
@@ -1691,7 +1705,7 @@ do
             characters = phrases.plural(size, "character"), most = parameter.most,
         }
         local code, words = FINDINGS[wrong][1], FINDINGS[wrong][2]
-        return words:gsub("{(%w+)}", parts) .. " (" .. code .. ")", code
+        return phrases.filled(words, parts) .. " (" .. code .. ")", code
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -1724,13 +1738,22 @@ do
         return "[" .. concat(pieces, ", ") .. "]"
     end
 
-    -- Appends values to a head: 7.92 V; several as vbatt=7.92 V ibatt=0.21 A
+    -- Appends values to a head: 7.92 V; several as vbatt=7.92 V ibatt=0.21 A. Those of operations with a `telling` are
+    -- grouped by it: no=0: 1, no=1: 12
     function phrases.values_text(head, outputs)
         if #outputs == 1 then return head .. " " .. phrases.output_text(outputs[1]) end
         local pieces = { head }
         for index = 1, math.min(#outputs, phrases.MOST_VALUES) do
             local output = outputs[index]
-            pieces[#pieces + 1] = output.parameter.value_key .. phrases.output_text(output)
+            local before, after = outputs[index - 1], outputs[index + 1]
+            local is_first, key = not before or before.at ~= output.at, output.parameter.value_key
+            local is_only = is_first and (not after or after.at ~= output.at)
+            if output.telling and is_first then
+                pieces[#pieces + 1] = format("%s %s:", before and "," or "", output.telling)
+            elseif before and before.telling and is_first then
+                pieces[#pieces + 1] = ","
+            end
+            pieces[#pieces + 1] = (output.telling and is_only and " " or key) .. phrases.output_text(output)
         end
         if #outputs > phrases.MOST_VALUES then pieces[#pieces + 1] = " ..." end
         return concat(pieces)
@@ -1761,17 +1784,22 @@ do
 
     local MOST_SHARED = 4096
 
+    -- Nanoseconds of a conversation after which a command has no reply.
+    local GIVEN_UP = 1e9
+
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, and the bytes after the type. `of_packet` has the number
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
+    -- type. `of_packet` has the number
     -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
     -- commands waited; `transfers`, by place, the state of a message's file.
-    local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
+    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
 
     -- One string for equal bodies, up to a number of them.
     local shared, shared_count, conversations
 
     function dialogues.forget()
-        asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
+        asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
+        transfers = {}
         count, shared, shared_count, conversations = 0, {}, 0, {}
     end
 
@@ -1796,15 +1824,28 @@ do
         return at and { place = asked[at], delay = times[at], body = bodies[at], is_unsure = unsure[at] }
     end
 
-    -- Returns the number of the packet with the reply to a command.
+    -- Returns the number of the packet with the reply to a command; without one, nil and whether none is expected.
     function dialogues.reply_to(place)
         local at = number_at(place)
-        return at and answers[at] and storage.number_of(answers[at]) or nil
+        if at and answers[at] then return storage.number_of(answers[at]) end
+        return nil, at ~= nil and owners[at].newest - times[at] > GIVEN_UP
     end
 
-    -- Returns the file that a message belongs to: path, size, bytes done.
+    -- Returns the file that a message belongs to: path, size, bytes done, and whether it `is_closed` by the message, or
+    -- `is_longer` from it on than announced.
     function dialogues.transfer_at(place)
         return transfers[place]
+    end
+
+    -- Returns what is wrong with the size of the file that a message belongs to, nil if nothing is. That the file has
+    -- no further message is known only after the first pass.
+    function dialogues.trouble_at(place, is_new)
+        local now = transfers[place]
+        local file = now and now.file
+        if not file or file.is_listing or not now.size or now.done == now.size then return nil end
+        if now.done > now.size then return now.is_longer and phrases.filled(FILES.longer, now) or nil end
+        local is_last = not is_new and file.last == place and not file.is_over
+        return (now.is_closed or is_last) and phrases.filled(FILES.incomplete, now) or nil
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the numbers of the commands that wait for a
@@ -1839,6 +1880,7 @@ do
         end
         count = count + 1
         asked[count], answers[count], times[count], bodies[count] = place, false, now, shared[body]
+        owners[count] = conversation
         set_number(place, count)
         local key = pending_key(message)
         local commands = conversation.waiting[key] or {}
@@ -1915,7 +1957,10 @@ do
     local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            local transfer = { path = values.path or "", size = values.size, done = #(values.data or "") }
+            local transfer = {
+                path = values.path or "", size = values.size, done = #(values.data or ""),
+                is_listing = find(command.name, "^LIST") ~= nil,
+            }
             conversation.begun[message.counter] = transfer
             return transfer
         end
@@ -1940,6 +1985,7 @@ do
             -- The brick releases a handle when its file is closed, complete, or failed.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 conversation.open[handle] = nil
+                if failed and transfer then transfer.is_over = true end
             end
         end
         if not transfer then return nil end
@@ -1951,9 +1997,10 @@ do
     function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
+        local now, transfer = nanoseconds(pinfo), nil
+        conversation.newest = now
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local now, transfer = nanoseconds(pinfo), nil
         if type.is_command then
             if type.wants_reply then remember(conversation, place, message, now) end
             transfer = is_on_file and follow_request(conversation, message)
@@ -1963,12 +2010,19 @@ do
             if request then
                 if conversation.state == "claimed" and is_proof(message, body) then conversation.state = "answered" end
                 answers[request], times[request], unsure[request] = place, now - times[request], is_unsure or nil
+                owners[request] = false
                 set_number(place, request)
             end
             transfer = is_on_file and follow_reply(conversation, message, body and byte(body, 2))
         end
         if transfer then
-            transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }
+            local is_closed = type.is_command and is_on_file == "close"
+            local is_longer = transfer.size and transfer.done > transfer.size
+            transfers[place] = {
+                path = transfer.path, done = transfer.done, size = transfer.size, file = transfer,
+                is_closed = is_closed, is_longer = is_longer and not transfer.is_longer,
+            }
+            transfer.last, transfer.is_over, transfer.is_longer = place, transfer.is_over or is_closed, is_longer
         end
     end
 end
@@ -2056,9 +2110,9 @@ do
     local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its type
-    -- differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list, with
-    -- its number; `dataset` is what it receives from a device.
+    -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its
+    -- type differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list,
+    -- with its number; `dataset` is what it receives from a device.
     local function value_parts(parameter, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
@@ -2126,8 +2180,8 @@ do
 
     -- The state of reading operations: the `steps`, nil if they are not wanted; the requested memory; the operation,
     -- where it starts, and the constants that its arguments state; the text `said` so far, and its number of arguments;
-    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree; the
-    -- `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
+    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree;
+    -- the `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
     local steps, globals, locals, operation, start, stated, said, said_count, is_beyond
     local remark, complaints, outputs, content
 
@@ -2224,8 +2278,8 @@ do
 
     -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
     -- known. Returns the `line` of the operations, which may be empty; the offset `after` the last one that could be
-    -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with `wants_steps`
-    -- the `steps` of their items.
+    -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
+    -- `wants_steps` the `steps` of their items.
     local function read(text, at, wants_steps, asked_globals, asked_locals)
         local first, phrase, others, fault, line = nil, "", {}, nil, ""
         globals, locals, is_beyond, complaints, outputs = asked_globals, asked_locals, false, {}, {}
@@ -2339,12 +2393,63 @@ do
         return show(summary, steps, payload, view)
     end
 
+    -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.
+    local function inputs_of(body)
+        local text, at, by_name = HEADER .. body, COMMAND_HEADER_SIZE, {}
+        while at < #text do
+            local inputs = { at = at }
+            local operation, after, _, reason = reading.read_operation(text, at, function(parameter, encoding, value)
+                if parameter.key then
+                    inputs[#inputs + 1] = sub(parameter.key, 2) .. argument_text(parameter, encoding, value)
+                end
+            end)
+            if not operation then break end
+            by_name[operation.name] = by_name[operation.name] or {}
+            table.insert(by_name[operation.name], inputs)
+            if reason then break end
+            at = after
+        end
+        return by_name
+    end
+
+    -- Gives each operation of a list the inputs that tell it apart from the others, as few of the first ones as do.
+    local function tell_apart(list, telling)
+        local count = 1
+        for index = 1, #list[1] do
+            local texts, known, distinct = {}, {}, 0
+            for number, inputs in ipairs(list) do
+                local own = inputs[index] or ""
+                texts[number] = telling[inputs.at] and telling[inputs.at] .. " " .. own or own
+                if not known[texts[number]] then known[texts[number]], distinct = true, distinct + 1 end
+            end
+            for number, inputs in ipairs(distinct > count and list or {}) do
+                telling[inputs.at] = texts[number]
+            end
+            count = math.max(count, distinct)
+        end
+    end
+
+    -- Gives the outputs of operations that have the same name a `telling`: the inputs in which these differ.
+    local function add_tellings(outputs, body)
+        local telling = {}
+        for _, list in pairs(inputs_of(body)) do
+            if list[2] then tell_apart(list, telling) end
+        end
+        for _, output in ipairs(outputs) do
+            output.telling = telling[output.at]
+        end
+    end
+
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
-        local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
-        for _, output in ipairs(summary.outputs) do
-            if reply_values.read(output, summary.outputs, memory) then found[#found + 1] = output end
+        local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
+        if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
+            summary.is_told = true
+            add_tellings(outputs, body)
+        end
+        for _, output in ipairs(outputs) do
+            if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
         end
         return found, summary.first
     end
@@ -2431,7 +2536,8 @@ do
                 last = last + 1
             end
             local range = bytes_between(view, HEADER_SIZE + start, HEADER_SIZE + stop)
-            local item = add(view.item, field.answers, range, outputs[first].operation.name)
+            local output = outputs[first]
+            local item = add(view.item, field.answers, range, output.operation.name, nil, output.telling)
             for index = first, last - 1 do
                 add_output(item, view, outputs[index])
             end
@@ -2650,14 +2756,15 @@ do
         end
     end
 
-    local function add_links(message, view, is_new)
+    -- `reply` is the packet of the reply, nil without one, false if that is not known yet.
+    local function add_links(message, view, is_new, reply, is_given_up)
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
-            -- In the first pass, the reply is still to come.
-            local reply = not is_new and dialogues.reply_to(place)
-            if reply == nil then
+            if is_given_up then
                 complain(target, "unanswered", "no reply to this command was seen")
+            elseif reply == nil then
+                complain(target, "waiting", "no reply to this command was seen so far")
             elseif reply and item then
                 set_generated(add(item, field.response_in, reply))
             end
@@ -2672,6 +2779,8 @@ do
             end
             if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
+        local trouble = dialogues.trouble_at(place, is_new)
+        if trouble then complain(target, "incomplete_file", trouble) end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then
             set_generated(add(item, field.transfer_path, reading.utf8_text(transfer.path)))
@@ -2742,6 +2851,7 @@ do
         end
         local line = show(message, view)
         check_size(message)
+        if message.slip then set_fault(message, 0, message.slip, "fault") end
         local fault = message.fault
         if said then
             line = said
@@ -2750,8 +2860,12 @@ do
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
+        -- In the first pass, the reply is still to come.
+        local reply, is_given_up = false, false
+        if type and type.wants_reply and not is_new then reply, is_given_up = dialogues.reply_to(place) end
+        if is_given_up then line = line .. " (no reply)" end
         if item then set_text(item, "EV3: " .. line) end
-        add_links(message, view, is_new)
+        add_links(message, view, is_new, reply, is_given_up)
         if fault then complain(view.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end
@@ -3050,10 +3164,10 @@ do
         local text, starts, side = packet.text, packet.starts, packet.side
         if not packet.to_brick then
             local newest = starts[#starts]
-            local reply = finding.frames_of(text, newest, packet.reported)[1]
-            if reply and is_proved(conversation, side, messages.read(sub(text, newest + 1, stop_of(text, newest)))) then
-                return CHAIN, newest
-            end
+            -- Its length, counter and type are enough: the rest of a long reply comes in later packets.
+            local is_reply = #text - newest >= HEADER_SIZE and is_length(text, newest)
+            local reply = is_reply and messages.read(sub(text, newest + 1, stop_of(text, newest)))
+            if reply and is_proved(conversation, side, reply) then return CHAIN, newest end
         end
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
         local is_ended = conversation.state == "ended"
@@ -3292,6 +3406,8 @@ do
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
+        -- A whole frame that ends with its packet is complete, whatever its data look like.
+        if is_sound and stop == #text and stop > joint then return OURS end
         -- Random bytes are rarely valid operations.
         if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
@@ -3299,6 +3415,17 @@ do
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
         return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
+    end
+
+    -- Tells whether whole messages of accepted types fill the newest packet, which starts at `joint`: then the frame
+    -- before it, which is incomplete, was before a gap.
+    function finding.starts_anew(text, accepts, joint)
+        local places, stop = finding.frames_of(text, joint, #text)
+        for _, at in ipairs(places) do
+            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            if not accepts(message.type) or not claiming.is_sensible(message) then return false end
+        end
+        return stop == #text and places[1] ~= nil
     end
 end
 
@@ -3385,20 +3512,31 @@ do
         return sub(text, at + 1, stop):match("^([\32-\126][\32-\126][\32-\126][\32-\126]+)[\r\n]*\0?$")
     end
 
-    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there, `plain` the
-    -- text that they are. They may belong to a frame that the capture cut, in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain)
+    -- Returns why bytes are in no frame. `length` is the length field there, `plain` the text that they are,
+    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_lost` tells whether
+    -- bytes are missing before them.
+    local function reason_of(length, plain, left_over, is_lost)
+        if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
+        local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
+        local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
+        if left_over then
+            reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
+            return format("%s; the frame before ends here by its length field, %s before the end of what was sent",
+                reason, phrases.plural(left_over, "byte"))
+        elseif is_possible or is_lost then
+            return "bytes that are in no frame, as after a gap in the capture"
+        end
+        return format(reason, length, MIN_LENGTH, MAX_LENGTH)
+    end
+
+    -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
+    -- in this packet or before.
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain, left_over, is_lost)
         local count = phrases.plural(stop - at, "byte")
         local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
-        local reason = "bytes that are in no frame, as after a gap in the capture"
-        if plain then
-            reason = "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX"
-        elseif length and (length < MIN_LENGTH or length > MAX_LENGTH) then
-            reason = "no frame can start here: the length field says %d, but it can be %d to %d"
-            reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
-        end
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
+        local reason = reason_of(length, plain, left_over, is_lost)
         return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
     end
 
@@ -3445,11 +3583,27 @@ do
             if verdict == PART and stop <= #text then return PART, nil, step end
         elseif code and step == "likely" and stop ~= #text then
             if is_misleading(text, at, stop, stream.accepts) then return nil end
+        elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
+            and finding.starts_anew(text, stream.accepts, stream.joint) then
+            return nil
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end
         -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
-        return PART, stop and stop - stream.reported, "sure"
+        -- At the start of a packet there may be one, too: then the whole next packet tells.
+        return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
+    end
+
+    -- Returns what is wrong with the length field of a frame that ends in another packet than the one it starts with:
+    -- it counts its own two bytes if it is the size of all that was sent before the newest packet, and only without
+    -- the two bytes from that the frame makes sense.
+    local function slip_of(message, at, joint)
+        local length = message.size - LENGTH_FIELD
+        local right = length - LENGTH_FIELD
+        if length ~= joint - at or right < MIN_LENGTH or claiming.is_sensible(message) then return nil end
+        local head = string.char(right % 0x100, floor(right / 0x100))
+        local meant = messages.read(head .. sub(message.text, LENGTH_FIELD + 1, length))
+        return claiming.is_sensible(meant) and format(SLIPS.length_self, length, LENGTH_FIELD) or nil
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -3465,6 +3619,7 @@ do
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
+        local no_frame_at
         while at < captured do
             local said, after, verdict, wanted
             if UNLOCK.starts[byte(text, at + 1)] then
@@ -3480,7 +3635,7 @@ do
             end
             if not said then
                 local step_then
-                verdict, wanted, step_then = judge_frame(text, at, stream, step)
+                if at ~= no_frame_at then verdict, wanted, step_then = judge_frame(text, at, stream, step) end
                 if verdict == PART then return at, wanted, lost, step_then end
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
@@ -3491,27 +3646,34 @@ do
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = storage.place_of(number, start + at)
-                said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
+                local message = messages.read(frame)
+                if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
+                -- The bytes after it in the packet are the rest of the next frame.
+                if message.slip then no_frame_at = after end
+                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    -- Without gaps between packets this is the sender's fault, and ends with the packet.
-                    local is_lost, is_open = step == "lost", nil
-                    local least = not stream.is_last and ((is_lost or stream.may_gap) and 1 or at > 0 and LENGTH_FIELD)
-                    local from, place = is_lost and at or at + 1, storage.place_of(number, start + at)
-                    after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
+                    -- After a frame in the same packet this is the sender's fault, and ends with the packet.
+                    local is_lost, place = step == "lost", storage.place_of(number, start + at)
+                    local is_after = not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                    local stop = is_after and at < stream.joint and stream.joint or captured
+                    local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
+                    after, is_open = next_step(
+                        sub(text, 1, stop), is_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
                     local may_be_text = not is_lost and streaming.sure_places[place]
-                    local plain = may_be_text and plain_text(text, at, captured)
-                    if plain then after, is_open = captured, false end
+                    local plain = may_be_text and plain_text(text, at, stop)
+                    if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
-                    step = (is_open or after == captured and not plain) and "lost" or "sure"
+                    step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
                     if after > at then
                         local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain)
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain,
+                            is_after and stop - at, is_lost)
                         lost = lost + after - at
                     end
                     if is_open then
@@ -4037,30 +4199,29 @@ do
         end
 
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
-        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. Buffers of joined
-        -- segments have the offset 0, others begin after their headers.
+        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. TCP joins segments
+        -- only if nothing is missing between them: then the buffer has the offset 0 and begins with what waits. Bytes
+        -- that wait and are not joined were before a gap. Otherwise a frame starts where the last one ended.
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
-                -- Pending bytes are not joined with this packet if there is a gap before it.
-                if before == "lost" or pending and not is_further then return "lost", 0, 0 end
-                return is_further and "sure" or "likely", 0, 0
+                return (before == "lost" or pending and not is_further) and "lost" or "sure", 0, 0
             end
             for _, done in ipairs({ 0, known.done }) do
                 if pending and sub(text, done + 1, done + #pending) == pending then
                     return before, done + #pending, done
                 end
             end
-            return "likely", 0, 0
+            return "sure", 0, 0
         end
 
         -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
-            local place, usual = storage.place_of(number, offset), offset == 0 and "sure" or "likely"
+            local place = storage.place_of(number, offset)
             if not known then
-                local buffer = buffers[place]
-                return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
+                local buffer = buffers[place] or {}
+                return buffer.step or "sure", buffer.joint or 0, buffer.done or 0
             end
             local step, joint, done = "sure", 0, start
             if start then
@@ -4068,7 +4229,9 @@ do
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
-            if step ~= usual or done > 0 then buffers[place] = { step = step, done = done } end
+            if step ~= "sure" or done > 0 or joint > 0 then
+                buffers[place] = { step = step, done = done, joint = joint }
+            end
             return step, joint, done
         end
 
@@ -4083,7 +4246,7 @@ do
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
@@ -4428,4 +4591,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 1dc2ad0cd2b887bc
+-- Checksum of the lines above, by which a changed file is recognised: cb1b46db6f2ab343

@@ -318,7 +318,8 @@ end
 local function size_text(file, size)
     local text = plural(size, "byte")
     if not file.size or size == file.size then return text end
-    return size < file.size and text .. ", incomplete" or format("%s, announced as %d", text, file.size)
+    return size < file.size and format("%d of %s, incomplete", size, plural(file.size, "byte"))
+        or format("%s, announced as %d", text, file.size)
 end
 
 local function export_file(file, path)
@@ -376,4 +377,4 @@ function script.init()
         if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 32ae5bc90050e135
+-- Checksum of the lines above, by which a changed file is recognised: 03cd25c6d6b34cb6

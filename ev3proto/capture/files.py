@@ -29,6 +29,10 @@ from ev3proto.temporary import PREFIX, temporary_folder
 MOST_FILES = 10_000
 """Maximum number of files from a capture."""
 
+LONGER = "it has {size} bytes, but {done} were moved"
+INCOMPLETE = "{done} of {size} bytes were captured"
+"""What is said of a file with another size than announced."""
+
 PART = ".part"
 """Suffix of the name of an incomplete file."""
 
@@ -192,7 +196,9 @@ class _Moving:
         if self.failure is not None:
             return f"{moved} were moved, then the brick said {self.failure}"
         if self.size is not None and self.bytes > self.size:
-            return f"it has {self.size} bytes, but {self.bytes} were moved"
+            return LONGER.format(size=self.size, done=self.bytes)
+        if self.size is not None:
+            return INCOMPLETE.format(size=self.size, done=self.bytes)
         return f"{moved} were captured"
 
     def result(self, file: Path | None) -> RecoveredFile:

@@ -16,10 +16,11 @@ _SAID = {
     Kind.NO_LENGTH: "this is a frame without its length bytes",
     Kind.OPERATIONS: "these are operations without the header of a frame",
 }
-_SLIPS = {
+SLIPS = {
     "length-self": "this is a frame whose length counts its own two bytes",
     "length-swapped": "this is a frame whose length has its high byte first",
 }
+"""What is said about slips that the header shows."""
 _ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also this frame of an EV3"
 
 
@@ -32,7 +33,7 @@ def advice(found: Identity) -> str | None:
         meant = found.frame.hex(" ").upper() if size <= _MOST_SENT else f"its {size} bytes"
         return f"this is the text {_cut(found.name, _MOST_DIGITS)!r}, a frame written as characters; send {meant}"
     if found.kind is Kind.SLIP:
-        return _SLIPS.get(found.name)
+        return SLIPS.get(found.name)
     return _SAID[found.kind].format(found.name) if found.kind in _SAID else None
 
 

@@ -621,7 +621,7 @@ FAULTS = {
     "0500 0700 03 92 07": Told("failed", "the command failed: FILE_EXITS"),
     "0500 0700 03 92 63": Told("failed", "the command failed: status 99"),
     "0700 0800 02 A470FD40": Told("orphan", "the command that this reply answers was not seen"),
-    "0800 0900 00 0400 81 01 60": Told("unanswered", "no reply to this command was seen"),
+    "0800 0900 00 0400 81 01 60": Told("waiting", "no reply to this command was seen so far"),
     "FFFF 0100 80 0000 02 01": Told(
         "no_boundary",
         "no frame can start here: the length field says 65535, but it can be 3 to 1022",
@@ -692,8 +692,8 @@ def one_frame(tshark: Tshark, frame: str | bytes) -> Path:
 
 def test_one_pass_cannot_know_that_no_reply_comes(tshark: Tshark) -> None:
     path = one_frame(tshark, VOLTAGE)
-    assert tshark.run(path, "-Y", "ev3.expert.unanswered") == ""
-    assert tshark.run(path, "-2", "-Y", "ev3.expert.unanswered") != ""
+    assert tshark.run(path, "-Y", "ev3.expert.waiting") == ""
+    assert tshark.run(path, "-2", "-Y", "ev3.expert.waiting") != ""
 
 
 def tree(tshark: Tshark, capture: Path, *words: str) -> str:

@@ -133,7 +133,7 @@ def test_a_file_of_another_size_than_was_said(tshark: Tshark) -> None:
     folder = export_folder(tshark, "sizes")
     messages = [*download(0, "short.rtf", 9, b"12345678"), *download(10, "long.rtf", 3, b"12", b"34")]
     assert moved(tshark, messages, "-o", f"ev3_statistics.export:{folder}") == [
-        f"{folder}/short.rtf: 8 bytes, incomplete",
+        f"{folder}/short.rtf: 8 of 9 bytes, incomplete",
         f"{folder}/long.rtf: 4 bytes, announced as 3",
     ]
 

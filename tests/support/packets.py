@@ -31,15 +31,20 @@ class Capture:
 
     def __init__(self, link: int) -> None:
         self.count = 0
+        self._waited = 0
         self._pieces = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 0x40000, link)]
 
     def add(self, packet: bytes, size: int = 0) -> int:
         """Adds a packet, a fixed time after the one before; returns its number."""
-        seconds, milliseconds = divmod(self.count * MILLISECONDS_EACH, 1000)
+        seconds, milliseconds = divmod(self.count * MILLISECONDS_EACH + self._waited, 1000)
         head = _RECORD.pack(seconds, 1000 * milliseconds, len(packet), size or len(packet))
         self._pieces += [head, packet]
         self.count += 1
         return self.count
+
+    def wait(self, milliseconds: int) -> None:
+        """Lets time pass before the next packet."""
+        self._waited += milliseconds
 
     def data(self) -> bytes:
         return b"".join(self._pieces)

@@ -67,7 +67,7 @@ RULES = (
     Rule(
         "EV3: doubtful",
         "ev3.expert.misread || ev3.expert.beyond_memory || ev3.expert.orphan || ev3.expert.unanswered"
-        " || ev3.expert.unsure",
+        " || ev3.expert.unsure || ev3.expert.waiting || ev3.expert.incomplete_file",
         "fce2a9",
     ),
     Rule("Bad TCP", "tcp.analysis.flags && !tcp.analysis.window_update", "12272e", "f78787"),

@@ -8,6 +8,7 @@ from typing import Any
 
 from construct.core import SizeofError
 
+from ev3proto.capture import files
 from ev3proto.checking.codes import CODES, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
@@ -15,6 +16,7 @@ from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing
+from ev3proto.semantics.advice import SLIPS
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
@@ -440,6 +442,10 @@ def _findings() -> Iterator[str]:
         if isinstance(wrong, Wrong) or wrong == NO_PORTS
     }
     yield _assign("FINDINGS", Rows(named=words))
+    yield _assign("FILES", Table(named={"longer": files.LONGER, "incomplete": files.INCOMPLETE}))
+    slip = f"{SLIPS['length-self']}: it says %d, the size of all that was sent"
+    slip += ", so the brick waits and takes %d bytes of the next frame"
+    yield _assign("SLIPS", Table(named={"length_self": slip}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))
 

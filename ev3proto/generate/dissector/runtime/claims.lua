@@ -170,10 +170,10 @@ do
         local text, starts, side = packet.text, packet.starts, packet.side
         if not packet.to_brick then
             local newest = starts[#starts]
-            local reply = finding.frames_of(text, newest, packet.reported)[1]
-            if reply and is_proved(conversation, side, messages.read(sub(text, newest + 1, stop_of(text, newest)))) then
-                return CHAIN, newest
-            end
+            -- Its length, counter and type are enough: the rest of a long reply comes in later packets.
+            local is_reply = #text - newest >= HEADER_SIZE and is_length(text, newest)
+            local reply = is_reply and messages.read(sub(text, newest + 1, stop_of(text, newest)))
+            if reply and is_proved(conversation, side, reply) then return CHAIN, newest end
         end
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
         local is_ended = conversation.state == "ended"

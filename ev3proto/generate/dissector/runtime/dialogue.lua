@@ -14,17 +14,22 @@ do
 
     local MOST_SHARED = 4096
 
+    -- Nanoseconds of a conversation after which a command has no reply.
+    local GIVEN_UP = 1e9
+
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, and the bytes after the type. `of_packet` has the number
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
+    -- type. `of_packet` has the number
     -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
     -- commands waited; `transfers`, by place, the state of a message's file.
-    local asked, answers, times, bodies, of_packet, others, unsure, transfers, count
+    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
 
     -- One string for equal bodies, up to a number of them.
     local shared, shared_count, conversations
 
     function dialogues.forget()
-        asked, answers, times, bodies, of_packet, others, unsure, transfers = {}, {}, {}, {}, {}, {}, {}, {}
+        asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
+        transfers = {}
         count, shared, shared_count, conversations = 0, {}, 0, {}
     end
 
@@ -49,15 +54,28 @@ do
         return at and { place = asked[at], delay = times[at], body = bodies[at], is_unsure = unsure[at] }
     end
 
-    -- Returns the number of the packet with the reply to a command.
+    -- Returns the number of the packet with the reply to a command; without one, nil and whether none is expected.
     function dialogues.reply_to(place)
         local at = number_at(place)
-        return at and answers[at] and storage.number_of(answers[at]) or nil
+        if at and answers[at] then return storage.number_of(answers[at]) end
+        return nil, at ~= nil and owners[at].newest - times[at] > GIVEN_UP
     end
 
-    -- Returns the file that a message belongs to: path, size, bytes done.
+    -- Returns the file that a message belongs to: path, size, bytes done, and whether it `is_closed` by the message, or
+    -- `is_longer` from it on than announced.
     function dialogues.transfer_at(place)
         return transfers[place]
+    end
+
+    -- Returns what is wrong with the size of the file that a message belongs to, nil if nothing is. That the file has
+    -- no further message is known only after the first pass.
+    function dialogues.trouble_at(place, is_new)
+        local now = transfers[place]
+        local file = now and now.file
+        if not file or file.is_listing or not now.size or now.done == now.size then return nil end
+        if now.done > now.size then return now.is_longer and phrases.filled(FILES.longer, now) or nil end
+        local is_last = not is_new and file.last == place and not file.is_over
+        return (now.is_closed or is_last) and phrases.filled(FILES.incomplete, now) or nil
     end
 
     -- Returns the conversation of a computer and a brick. `waiting` has the numbers of the commands that wait for a
@@ -92,6 +110,7 @@ do
         end
         count = count + 1
         asked[count], answers[count], times[count], bodies[count] = place, false, now, shared[body]
+        owners[count] = conversation
         set_number(place, count)
         local key = pending_key(message)
         local commands = conversation.waiting[key] or {}
@@ -168,7 +187,10 @@ do
     local function follow_request(conversation, message)
         local command, values = message.command, message.fields
         if command.transfer == "begin" then
-            local transfer = { path = values.path or "", size = values.size, done = #(values.data or "") }
+            local transfer = {
+                path = values.path or "", size = values.size, done = #(values.data or ""),
+                is_listing = find(command.name, "^LIST") ~= nil,
+            }
             conversation.begun[message.counter] = transfer
             return transfer
         end
@@ -193,6 +215,7 @@ do
             -- The brick releases a handle when its file is closed, complete, or failed.
             if handle and (command.transfer == "close" or failed or message.status == STATUS.end_of_file) then
                 conversation.open[handle] = nil
+                if failed and transfer then transfer.is_over = true end
             end
         end
         if not transfer then return nil end
@@ -204,9 +227,10 @@ do
     function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
+        local now, transfer = nanoseconds(pinfo), nil
+        conversation.newest = now
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
-        local now, transfer = nanoseconds(pinfo), nil
         if type.is_command then
             if type.wants_reply then remember(conversation, place, message, now) end
             transfer = is_on_file and follow_request(conversation, message)
@@ -216,12 +240,19 @@ do
             if request then
                 if conversation.state == "claimed" and is_proof(message, body) then conversation.state = "answered" end
                 answers[request], times[request], unsure[request] = place, now - times[request], is_unsure or nil
+                owners[request] = false
                 set_number(place, request)
             end
             transfer = is_on_file and follow_reply(conversation, message, body and byte(body, 2))
         end
         if transfer then
-            transfers[place] = { path = transfer.path, done = transfer.done, size = transfer.size }
+            local is_closed = type.is_command and is_on_file == "close"
+            local is_longer = transfer.size and transfer.done > transfer.size
+            transfers[place] = {
+                path = transfer.path, done = transfer.done, size = transfer.size, file = transfer,
+                is_closed = is_closed, is_longer = is_longer and not transfer.is_longer,
+            }
+            transfer.last, transfer.is_over, transfer.is_longer = place, transfer.is_over or is_closed, is_longer
         end
     end
 end

@@ -187,6 +187,8 @@ do
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
+        -- A whole frame that ends with its packet is complete, whatever its data look like.
+        if is_sound and stop == #text and stop > joint then return OURS end
         -- Random bytes are rarely valid operations.
         if is_sound and (following > 0 or type.is_command and type.carries == "direct") then return OURS end
         -- After a gap between two packets, frames start in the newer one.
@@ -194,5 +196,16 @@ do
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
         return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
+    end
+
+    -- Tells whether whole messages of accepted types fill the newest packet, which starts at `joint`: then the frame
+    -- before it, which is incomplete, was before a gap.
+    function finding.starts_anew(text, accepts, joint)
+        local places, stop = finding.frames_of(text, joint, #text)
+        for _, at in ipairs(places) do
+            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            if not accepts(message.type) or not claiming.is_sensible(message) then return false end
+        end
+        return stop == #text and places[1] ~= nil
     end
 end

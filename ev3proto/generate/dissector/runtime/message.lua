@@ -79,7 +79,8 @@ do
                 last = last + 1
             end
             local range = bytes_between(view, HEADER_SIZE + start, HEADER_SIZE + stop)
-            local item = add(view.item, field.answers, range, outputs[first].operation.name)
+            local output = outputs[first]
+            local item = add(view.item, field.answers, range, output.operation.name, nil, output.telling)
             for index = first, last - 1 do
                 add_output(item, view, outputs[index])
             end
@@ -298,14 +299,15 @@ do
         end
     end
 
-    local function add_links(message, view, is_new)
+    -- `reply` is the packet of the reply, nil without one, false if that is not known yet.
+    local function add_links(message, view, is_new, reply, is_given_up)
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
         if type.wants_reply then
-            -- In the first pass, the reply is still to come.
-            local reply = not is_new and dialogues.reply_to(place)
-            if reply == nil then
+            if is_given_up then
                 complain(target, "unanswered", "no reply to this command was seen")
+            elseif reply == nil then
+                complain(target, "waiting", "no reply to this command was seen so far")
             elseif reply and item then
                 set_generated(add(item, field.response_in, reply))
             end
@@ -320,6 +322,8 @@ do
             end
             if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
+        local trouble = dialogues.trouble_at(place, is_new)
+        if trouble then complain(target, "incomplete_file", trouble) end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then
             set_generated(add(item, field.transfer_path, reading.utf8_text(transfer.path)))
@@ -390,6 +394,7 @@ do
         end
         local line = show(message, view)
         check_size(message)
+        if message.slip then set_fault(message, 0, message.slip, "fault") end
         local fault = message.fault
         if said then
             line = said
@@ -398,8 +403,12 @@ do
         elseif fault then
             line = format("%s [fault at offset %d: %s]", line, fault.at, fault.reason)
         end
+        -- In the first pass, the reply is still to come.
+        local reply, is_given_up = false, false
+        if type and type.wants_reply and not is_new then reply, is_given_up = dialogues.reply_to(place) end
+        if is_given_up then line = line .. " (no reply)" end
         if item then set_text(item, "EV3: " .. line) end
-        add_links(message, view, is_new)
+        add_links(message, view, is_new, reply, is_given_up)
         if fault then complain(view.target, fault.kind, format("at offset %d: %s", fault.at, fault.reason)) end
         return line, item
     end

@@ -10,9 +10,9 @@ do
     local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
 
-    -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its type
-    -- differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list, with
-    -- its number; `dataset` is what it receives from a device.
+    -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its
+    -- type differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list,
+    -- with its number; `dataset` is what it receives from a device.
     local function value_parts(parameter, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
         if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
@@ -80,8 +80,8 @@ do
 
     -- The state of reading operations: the `steps`, nil if they are not wanted; the requested memory; the operation,
     -- where it starts, and the constants that its arguments state; the text `said` so far, and its number of arguments;
-    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree; the
-    -- `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
+    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree;
+    -- the `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
     local steps, globals, locals, operation, start, stated, said, said_count, is_beyond
     local remark, complaints, outputs, content
 
@@ -178,8 +178,8 @@ do
 
     -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
     -- known. Returns the `line` of the operations, which may be empty; the offset `after` the last one that could be
-    -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with `wants_steps`
-    -- the `steps` of their items.
+    -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
+    -- `wants_steps` the `steps` of their items.
     local function read(text, at, wants_steps, asked_globals, asked_locals)
         local first, phrase, others, fault, line = nil, "", {}, nil, ""
         globals, locals, is_beyond, complaints, outputs = asked_globals, asked_locals, false, {}, {}
@@ -293,12 +293,63 @@ do
         return show(summary, steps, payload, view)
     end
 
+    -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.
+    local function inputs_of(body)
+        local text, at, by_name = HEADER .. body, COMMAND_HEADER_SIZE, {}
+        while at < #text do
+            local inputs = { at = at }
+            local operation, after, _, reason = reading.read_operation(text, at, function(parameter, encoding, value)
+                if parameter.key then
+                    inputs[#inputs + 1] = sub(parameter.key, 2) .. argument_text(parameter, encoding, value)
+                end
+            end)
+            if not operation then break end
+            by_name[operation.name] = by_name[operation.name] or {}
+            table.insert(by_name[operation.name], inputs)
+            if reason then break end
+            at = after
+        end
+        return by_name
+    end
+
+    -- Gives each operation of a list the inputs that tell it apart from the others, as few of the first ones as do.
+    local function tell_apart(list, telling)
+        local count = 1
+        for index = 1, #list[1] do
+            local texts, known, distinct = {}, {}, 0
+            for number, inputs in ipairs(list) do
+                local own = inputs[index] or ""
+                texts[number] = telling[inputs.at] and telling[inputs.at] .. " " .. own or own
+                if not known[texts[number]] then known[texts[number]], distinct = true, distinct + 1 end
+            end
+            for number, inputs in ipairs(distinct > count and list or {}) do
+                telling[inputs.at] = texts[number]
+            end
+            count = math.max(count, distinct)
+        end
+    end
+
+    -- Gives the outputs of operations that have the same name a `telling`: the inputs in which these differ.
+    local function add_tellings(outputs, body)
+        local telling = {}
+        for _, list in pairs(inputs_of(body)) do
+            if list[2] then tell_apart(list, telling) end
+        end
+        for _, output in ipairs(outputs) do
+            output.telling = telling[output.at]
+        end
+    end
+
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
-        local memory, found = sub(reply.text, HEADER_SIZE + 1), {}
-        for _, output in ipairs(summary.outputs) do
-            if reply_values.read(output, summary.outputs, memory) then found[#found + 1] = output end
+        local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
+        if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
+            summary.is_told = true
+            add_tellings(outputs, body)
+        end
+        for _, output in ipairs(outputs) do
+            if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
         end
         return found, summary.first
     end

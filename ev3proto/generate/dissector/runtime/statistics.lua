@@ -299,7 +299,8 @@ end
 local function size_text(file, size)
     local text = plural(size, "byte")
     if not file.size or size == file.size then return text end
-    return size < file.size and text .. ", incomplete" or format("%s, announced as %d", text, file.size)
+    return size < file.size and format("%d of %s, incomplete", size, plural(file.size, "byte"))
+        or format("%s, announced as %d", text, file.size)
 end
 
 local function export_file(file, path)

@@ -81,20 +81,31 @@ do
         return sub(text, at + 1, stop):match("^([\32-\126][\32-\126][\32-\126][\32-\126]+)[\r\n]*\0?$")
     end
 
-    -- Adds the bytes between two offsets, which are outside of frames; `length` is the length field there, `plain` the
-    -- text that they are. They may belong to a frame that the capture cut, in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain)
+    -- Returns why bytes are in no frame. `length` is the length field there, `plain` the text that they are,
+    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_lost` tells whether
+    -- bytes are missing before them.
+    local function reason_of(length, plain, left_over, is_lost)
+        if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
+        local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
+        local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
+        if left_over then
+            reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
+            return format("%s; the frame before ends here by its length field, %s before the end of what was sent",
+                reason, phrases.plural(left_over, "byte"))
+        elseif is_possible or is_lost then
+            return "bytes that are in no frame, as after a gap in the capture"
+        end
+        return format(reason, length, MIN_LENGTH, MAX_LENGTH)
+    end
+
+    -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
+    -- in this packet or before.
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain, left_over, is_lost)
         local count = phrases.plural(stop - at, "byte")
         local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
-        local reason = "bytes that are in no frame, as after a gap in the capture"
-        if plain then
-            reason = "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX"
-        elseif length and (length < MIN_LENGTH or length > MAX_LENGTH) then
-            reason = "no frame can start here: the length field says %d, but it can be %d to %d"
-            reason = format(reason, length, MIN_LENGTH, MAX_LENGTH)
-        end
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
+        local reason = reason_of(length, plain, left_over, is_lost)
         return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
     end
 
@@ -141,11 +152,27 @@ do
             if verdict == PART and stop <= #text then return PART, nil, step end
         elseif code and step == "likely" and stop ~= #text then
             if is_misleading(text, at, stop, stream.accepts) then return nil end
+        elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
+            and finding.starts_anew(text, stream.accepts, stream.joint) then
+            return nil
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end
         -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
-        return PART, stop and stop - stream.reported, "sure"
+        -- At the start of a packet there may be one, too: then the whole next packet tells.
+        return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
+    end
+
+    -- Returns what is wrong with the length field of a frame that ends in another packet than the one it starts with:
+    -- it counts its own two bytes if it is the size of all that was sent before the newest packet, and only without
+    -- the two bytes from that the frame makes sense.
+    local function slip_of(message, at, joint)
+        local length = message.size - LENGTH_FIELD
+        local right = length - LENGTH_FIELD
+        if length ~= joint - at or right < MIN_LENGTH or claiming.is_sensible(message) then return nil end
+        local head = string.char(right % 0x100, floor(right / 0x100))
+        local meant = messages.read(head .. sub(message.text, LENGTH_FIELD + 1, length))
+        return claiming.is_sensible(meant) and format(SLIPS.length_self, length, LENGTH_FIELD) or nil
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -161,6 +188,7 @@ do
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
+        local no_frame_at
         while at < captured do
             local said, after, verdict, wanted
             if UNLOCK.starts[byte(text, at + 1)] then
@@ -176,7 +204,7 @@ do
             end
             if not said then
                 local step_then
-                verdict, wanted, step_then = judge_frame(text, at, stream, step)
+                if at ~= no_frame_at then verdict, wanted, step_then = judge_frame(text, at, stream, step) end
                 if verdict == PART then return at, wanted, lost, step_then end
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
@@ -187,27 +215,34 @@ do
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = storage.place_of(number, start + at)
-                said = dissect_message(tvb, at, messages.read(frame), conversation, place, pinfo, tree, is_shown)
+                local message = messages.read(frame)
+                if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
+                -- The bytes after it in the packet are the rest of the next frame.
+                if message.slip then no_frame_at = after end
+                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
                 else
-                    -- Without gaps between packets this is the sender's fault, and ends with the packet.
-                    local is_lost, is_open = step == "lost", nil
-                    local least = not stream.is_last and ((is_lost or stream.may_gap) and 1 or at > 0 and LENGTH_FIELD)
-                    local from, place = is_lost and at or at + 1, storage.place_of(number, start + at)
-                    after, is_open = next_step(text, from, stream.accepts, least, stream.first, stream.joint)
+                    -- After a frame in the same packet this is the sender's fault, and ends with the packet.
+                    local is_lost, place = step == "lost", storage.place_of(number, start + at)
+                    local is_after = not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                    local stop = is_after and at < stream.joint and stream.joint or captured
+                    local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
+                    after, is_open = next_step(
+                        sub(text, 1, stop), is_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
                     local may_be_text = not is_lost and streaming.sure_places[place]
-                    local plain = may_be_text and plain_text(text, at, captured)
-                    if plain then after, is_open = captured, false end
+                    local plain = may_be_text and plain_text(text, at, stop)
+                    if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
-                    step = (is_open or after == captured and not plain) and "lost" or "sure"
+                    step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
                     if after > at then
                         local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain)
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain,
+                            is_after and stop - at, is_lost)
                         lost = lost + after - at
                     end
                     if is_open then

@@ -104,30 +104,29 @@ do
         end
 
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
-        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. Buffers of joined
-        -- segments have the offset 0, others begin after their headers.
+        -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. TCP joins segments
+        -- only if nothing is missing between them: then the buffer has the offset 0 and begins with what waits. Bytes
+        -- that wait and are not joined were before a gap. Otherwise a frame starts where the last one ended.
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
             if offset > 0 then
-                -- Pending bytes are not joined with this packet if there is a gap before it.
-                if before == "lost" or pending and not is_further then return "lost", 0, 0 end
-                return is_further and "sure" or "likely", 0, 0
+                return (before == "lost" or pending and not is_further) and "lost" or "sure", 0, 0
             end
             for _, done in ipairs({ 0, known.done }) do
                 if pending and sub(text, done + 1, done + #pending) == pending then
                     return before, done + #pending, done
                 end
             end
-            return "likely", 0, 0
+            return "sure", 0, 0
         end
 
         -- The same in any pass; `known`, the direction, is given in the first pass only.
         local function step_of(known, text, offset, number, start)
-            local place, usual = storage.place_of(number, offset), offset == 0 and "sure" or "likely"
+            local place = storage.place_of(number, offset)
             if not known then
-                local buffer = buffers[place]
-                return buffer and buffer.step or usual, 0, buffer and buffer.done or 0
+                local buffer = buffers[place] or {}
+                return buffer.step or "sure", buffer.joint or 0, buffer.done or 0
             end
             local step, joint, done = "sure", 0, start
             if start then
@@ -135,7 +134,9 @@ do
             else
                 step, joint, done = first_step(known, text, offset, number)
             end
-            if step ~= usual or done > 0 then buffers[place] = { step = step, done = done } end
+            if step ~= "sure" or done > 0 or joint > 0 then
+                buffers[place] = { step = step, done = done, joint = joint }
+            end
             return step, joint, done
         end
 
@@ -150,7 +151,7 @@ do
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))

@@ -1,0 +1,114 @@
+"""Where frames start in a stream: a length that counts itself, bytes left over, gaps, and replies in pieces."""
+
+from __future__ import annotations
+
+from support.messages import tone, voltage, volts
+from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
+from support.wireshark import Tshark
+
+UNLOCK = b"GET /target?sn=0016530a0b0c VMTP1.0\nProtocol: EV3\n\n"
+SELF = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent"
+LEFT_OVER = "the frame before ends here by its length field, %s before the end of what was sent"
+GAP = "bytes that are in no frame, as after a gap in the capture"
+
+
+def shown(tshark: Tshark, capture: Capture, *words: str) -> dict[int, tuple[str, list[str]]]:
+    """Returns the info column and the expert information of each packet with data."""
+    path = tshark.place(capture.data(), "boundaries.pcap")
+    fields = ("frame.number", "_ws.col.Info", "_ws.expert.message")
+    asked = [word for field in fields for word in ("-e", field)]
+    lines = tshark.run(path, *words, "-T", "fields", "-E", "aggregator=|", *asked).splitlines()
+    split = [line.split("\t") for line in lines]
+    return {int(number): (info, said.split("|") if said else []) for number, info, said in split}
+
+
+def counting_itself(frame: bytes) -> bytes:
+    return len(frame).to_bytes(2, "little") + frame[2:]
+
+
+def test_a_length_that_counts_itself_is_named(tshark: Tshark) -> None:
+    """The first fault of many libraries: the brick waits for two more bytes, and answers to the first command."""
+    for words in ((), ("-2",)):
+        capture = Capture(RAW_IP)
+        wrong = Connection(capture, 10_000)
+        wrong.send(UNLOCK)
+        first = wrong.send(counting_itself(voltage(20)))
+        second = wrong.send(counting_itself(voltage(21)))
+        reply = wrong.receive(bytes.fromhex("0300 1400 04"))
+        third = wrong.send(counting_itself(voltage(22)))
+        wrong.send(counting_itself(voltage(23)))
+        right = Connection(capture, 10_001)
+        right.send(UNLOCK)
+        controls = [right.send(voltage(1)[:7]), right.send(voltage(1)[7:]), right.receive(volts(1))]
+        found = shown(tshark, capture, *words)
+        assert any(line.startswith(f"at offset 0: {SELF % 10}") for line in found[second][1])
+        assert any((LEFT_OVER % "8 bytes") in line for line in found[second][1])
+        assert found[reply][0] == "error reply to UI_READ.GET_VBATT"
+        assert not [line for line in found[reply][1] if "not seen" in line]
+        assert any(line.startswith(f"at offset 0: {SELF % 10}") for line in found[third + 1][1])
+        assert not [line for _, lines in found.values() for line in lines if line == GAP]
+        assert not [line for number in controls for line in found[number][1]]
+        assert found[first][1] == []
+
+
+def test_bytes_after_a_frame_are_the_senders(tshark: Tshark) -> None:
+    """A length that is too short: what is left over ends with the segment, and the next one starts a frame."""
+    capture = Capture(RAW_IP)
+    stream = Connection(capture, 10_000)
+    stream.send(UNLOCK)
+    short = stream.send((14 - 3).to_bytes(2, "little") + tone(1)[2:])
+    good = stream.send(tone(2))
+    between = stream.send(tone(3) + b"\xff\xff\xff" + tone(4))
+    found = shown(tshark, capture)
+    assert any((LEFT_OVER % "3 bytes") in line for line in found[short][1])
+    assert found[good] == ("SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms", [])
+    assert found[between][0].count("SOUND.TONE") == 2
+    assert any((LEFT_OVER % "19 bytes") in line for line in found[between][1])
+
+
+def test_a_gap_is_said_where_tcp_shows_one(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    stream = Connection(capture, 10_000)
+    stream.send(UNLOCK)
+    begun = stream.send(tone(1)[:9])
+    stream.segment(True, bytes(100))
+    after = stream.send(b"\1\2\3\4\5" + tone(2))
+    found = shown(tshark, capture)
+    assert GAP in [*found[begun][1], *found[after][1]]
+    assert found[after][0].endswith("SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms")
+
+
+def test_a_whole_reply_is_complete_whatever_its_data_look_like(tshark: Tshark) -> None:
+    """Over Bluetooth, in two packets: its data are those of a reply of seven bytes and the header of another."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    command, reply = counted_read(12), bytes.fromhex("0F00 0700 02 0500 0700 02 0000 0900 0700 02")
+    ends = []
+    for _ in range(3):
+        port.send(command)
+        port.receive(reply[:9])
+        ends.append(port.receive(reply[9:]))
+    path = tshark.place(capture.data(), "complete.pcap")
+    asked = ("-T", "fields", "-e", "frame.number", "-Y", "ev3.response_time")
+    assert tshark.run(path, *asked).split() == [str(number) for number in ends]
+
+
+def test_the_header_of_a_reply_is_enough_for_a_claim(tshark: Tshark) -> None:
+    """A command with an argument outside of its range, and its reply in three packets."""
+    capture = Capture(HCI_WITH_DIRECTION)
+    port = SerialPort(capture)
+    command, reply = counted_read(200, layer=7), bytes.fromhex("CB00 0700 02") + bytes(range(200))
+    for _ in range(2):
+        sent = port.send(command)
+        pieces = [port.receive(reply[at : at + 70]) for at in range(0, len(reply), 70)]
+    path = tshark.place(capture.data(), "header.pcap")
+    found = tshark.run(path, "-2", "-T", "fields", "-e", "frame.number", "-Y", "ev3.msg_num == 7").split()
+    assert found[-2:] == [str(sent), str(pieces[-1])]
+    assert len(found) == 4
+
+
+def counted_read(size: int, layer: int = 0) -> bytes:
+    """INPUT_DEVICE.GET_NAME of a length into all of the memory, which is as long."""
+    memory = size.to_bytes(2, "little")
+    body = b"\7\0\0" + memory + bytes((0x99, 0x15, layer, 0)) + b"\x82" + memory + b"\x60"
+    return len(body).to_bytes(2, "little") + body

@@ -1,0 +1,111 @@
+"""What people hunt for in a capture: a missing reply, whose value is whose, a file that is not complete."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+
+from support.messages import voltage, volts
+from support.packets import RAW_IP, Capture, Connection
+from support.wireshark import Tshark
+
+import ev3proto
+from ev3proto.schema.header import with_length
+
+FIELDS = ("frame.number", "_ws.col.Info", "_ws.expert.message")
+
+
+def shown(tshark: Tshark, capture: Capture, *words: str) -> dict[int, tuple[str, list[str]]]:
+    """Returns the info column and the expert information of each packet, after two passes."""
+    path = tshark.place(capture.data(), "hunting.pcap")
+    asked = [word for field in FIELDS for word in ("-e", field)]
+    lines = tshark.run(path, "-2", *words, "-T", "fields", "-E", "aggregator=|", *asked).splitlines()
+    split = [line.split("\t") for line in lines]
+    return {int(number): (info, said.split("|") if said else []) for number, info, said in split}
+
+
+def test_a_command_without_a_reply_is_a_warning(tshark: Tshark) -> None:
+    """As soon as a message of the conversation is more than a second newer; until then its reply may come."""
+    capture = Capture(RAW_IP)
+    stream, other = Connection(capture), Connection(capture, 50_001)
+    lost, answered = stream.send(voltage(1)), stream.send(voltage(2))
+    stream.receive(volts(2))
+    capture.wait(1100)
+    last = stream.send(voltage(3))
+    late = other.send(voltage(1))
+    found = shown(tshark, capture)
+    assert found[lost] == ("UI_READ.GET_VBATT (no reply)", ["no reply to this command was seen"])
+    assert found[answered] == ("UI_READ.GET_VBATT", [])
+    for number in (last, late):
+        assert found[number] == ("UI_READ.GET_VBATT", ["no reply to this command was seen so far"])
+    path = tshark.folder / "hunting.pcap"
+    warned = tshark.run(path, "-2", "-Y", '_ws.expert.severity == "Warning"', "-T", "fields", "-e", "frame.number")
+    assert warned.split() == [str(lost)]
+
+
+READ = "99 1D {layer} {port} 00 00 01 {variable}"
+"""INPUT_DEVICE.READY_SI of a port, into a variable."""
+
+
+def asks(counter: int, memory: int, code: str) -> bytes:
+    return with_length(struct.pack("<HBH", counter, 0, memory) + bytes.fromhex(code))
+
+
+def test_values_of_one_operation_are_told_apart(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    stream = Connection(capture)
+    sensors = [READ.format(layer="00", port=f"0{port}", variable=f"{0x60 + 4 * port:02X}") for port in range(3)]
+    first = stream.send(asks(1, 12, "".join(sensors)))
+    three = stream.receive(ev3proto.direct_reply(struct.pack("<3f", 1, 12, 255), counter=1).build())
+    chain = READ.format(layer="00", port="00", variable="60") + READ.format(layer="01", port="00", variable="64")
+    stream.send(asks(2, 8, chain))
+    layers = stream.receive(ev3proto.direct_reply(struct.pack("<2f", 1, 2), counter=2).build())
+    stream.send(asks(3, 16, "B3 00 00 60 B3 00 01 64 81 01 68"))
+    mixed = stream.receive(ev3proto.direct_reply(struct.pack("<iif", 90, -90, 7.5), counter=3).build())
+    stream.send(asks(4, 5, "A8 00 01 60 61"))
+    alone = stream.receive(ev3proto.direct_reply(bytes((5, 0, 0, 0, 9)), counter=4).build())
+    found = shown(tshark, capture)
+    assert found[first][0].endswith(" (+INPUT_DEVICE.READY_SI x 2)")
+    assert found[three][0] == "reply to INPUT_DEVICE.READY_SI: no=0: 1, no=1: 12, no=2: 255"
+    assert found[layers][0] == "reply to INPUT_DEVICE.READY_SI: layer=0: 1, layer=1: 2"
+    assert found[mixed][0] == "reply to OUTPUT_GET_COUNT: nos=A: 90 degrees, nos=B: -90 degrees, vbatt=7.5 V"
+    assert "=" in found[alone][0]
+    tree = tshark.run(tshark.folder / "hunting.pcap", "-V", "-Y", f"frame.number == {three}")
+    headings = [line.strip() for line in tree.splitlines() if "Answers:" in line]
+    assert headings == [f"Answers: INPUT_DEVICE.READY_SI no={port}" for port in range(3)]
+
+
+def transfer(counter: int, size: int, *pieces: int, closed: bool = False) -> Iterator[tuple[bool, bytes]]:
+    """A download in pieces of these sizes, with replies: whether each message is a command, and its bytes."""
+    handle = counter
+    yield True, ev3proto.system_command("BEGIN_DOWNLOAD", counter=counter, reply=True, size=size, path="a.rtf").build()
+    yield False, ev3proto.system_reply("BEGIN_DOWNLOAD", counter=counter, handle=handle).build()
+    for number, piece in enumerate(pieces, counter + 1):
+        data = {"handle": handle, "data": bytes(piece)}
+        yield True, ev3proto.system_command("CONTINUE_DOWNLOAD", counter=number, reply=True, **data).build()
+        yield False, ev3proto.system_reply("CONTINUE_DOWNLOAD", counter=number, handle=handle).build()
+    if closed:
+        yield True, ev3proto.system_command("CLOSE_FILEHANDLE", counter=counter + 9, handle=handle).build()
+
+
+def test_a_file_of_another_size_than_announced_is_marked(tshark: Tshark) -> None:
+    """Closed before its end, longer, or without a further message: in the words of `ev3proto files`."""
+    capture = Capture(RAW_IP)
+    places = []
+    for number, moves in enumerate(
+        (
+            transfer(10, 9, 4, closed=True),
+            transfer(20, 3, 2, 2),
+            transfer(30, 9, 4, 3),
+            transfer(40, 9, 4, 5, closed=True),
+            transfer(50, 9, 9),
+        )
+    ):
+        stream = Connection(capture, 50_000 + number)
+        places.append([(stream.send if is_command else stream.receive)(data) for is_command, data in moves])
+    found = shown(tshark, capture, "-Y", "ev3.expert.incomplete_file")
+    assert {number: said[1][-1:] for number, said in found.items()} == {
+        places[0][-1]: ["4 of 9 bytes were captured"],
+        places[1][-2]: ["it has 3 bytes, but 4 were moved"],
+        places[2][-1]: ["7 of 9 bytes were captured"],
+    }

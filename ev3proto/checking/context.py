@@ -12,9 +12,14 @@ from ev3proto.errors import Fault
 from ev3proto.messages import Argument, Message, Operation
 from ev3proto.schema.header import HEADER_SIZE, frame_size, may_be_long
 from ev3proto.semantics.facts import OperationFacts, operation_facts
+from ev3proto.semantics.footprint import whole_number
 from ev3proto.semantics.judgement import Wrong
-from ev3proto.tables.declaration import Effect
+from ev3proto.tables.declaration import Effect, Role
 from ev3proto.tables.frame import MAX_FRAME, MAX_LONG_FRAME, REPORT_SIZES
+from ev3proto.tables.output import MOTOR_LETTERS
+
+MotorAt = tuple[int, int]
+"""The layer of a brick in a daisy chain, and the number of its port."""
 
 # The rules read these fields very often, and reading a slot takes a quarter of the time of a named tuple's
 # field. They are not frozen because creating a frozen one takes three times as long.
@@ -37,6 +42,15 @@ class CheckedOperation:
         # A tuple, since most operations have no effects and hashing an effect for a set is slow.
         facts = self.facts
         return bool(facts.effects) and effect in facts.declaration.effects
+
+    @property
+    def motors(self) -> list[MotorAt] | None:
+        """The motors that it is for; None if they are not known, or if it is for none."""
+        known = {argument.parameter.role: whole_number(argument) for argument in self.arguments}
+        layer, mask, number = (known.get(role) for role in (Role.LAYER, Role.MOTORS, Role.MOTOR))
+        if layer is None or (mask is None and number is None):
+            return None
+        return [(layer, port) for port in MOTOR_LETTERS if port == number or (mask is not None and mask & 1 << port)]
 
     def finding(self, code: FindingCode, message: str, help_: str) -> Finding:
         """Returns a finding about the whole operation."""

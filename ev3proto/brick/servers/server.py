@@ -14,7 +14,7 @@ from typing import Any
 
 from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.devices.display.png import write_png
+from ev3proto.brick.devices.display.rendering import write_png
 from ev3proto.brick.servers.faults import Faults
 from ev3proto.brick.servers.host import Host, Say, ServerError
 from ev3proto.brick.servers.limits import STRETCH

@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.context import CheckContext, CheckedOperation, MotorAt
 from ev3proto.checking.report import Finding
 from ev3proto.messages import DirectCommand
-from ev3proto.semantics.footprint import Footprint, Taken, whole_number
-from ev3proto.tables.declaration import Effect, Role
-from ev3proto.tables.output import MOTOR_LETTERS
+from ev3proto.semantics.footprint import Footprint, Taken
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.sound import OWN_FOLDERS
 
 _LARGER = {"INPUT_READ": "INPUT_READSI", "INPUT_DEVICE.READY_PCT": "INPUT_DEVICE.READY_SI"}
@@ -22,16 +21,13 @@ _LARGER = {"INPUT_READ": "INPUT_READSI", "INPUT_DEVICE.READY_PCT": "INPUT_DEVICE
 _FLOAT = 4
 _DRIVES = ("OUTPUT_POWER", "OUTPUT_SPEED")
 
-Port = tuple[int, int]
-"""A layer of the daisy chain, and the number of a motor port."""
-
 
 def check_devices(context: CheckContext, shared: list[tuple[CheckedOperation, Footprint]]) -> Iterator[Finding]:
     """Checks the operations of a direct command; `shared` are their variables in global memory."""
     if not context.is_whole:
         return
     if not context.effects.isdisjoint((Effect.STARTS_MOVE, Effect.STARTS_MOTORS)):
-        operations = [(operation, _motors(operation)) for operation in context.operations]
+        operations = [(operation, operation.motors) for operation in context.operations]
         yield from _reads_after_moves(operations)
         yield from _other_drives(operations)
     if Effect.AWAITS_SOUND in context.effects:
@@ -40,26 +36,14 @@ def check_devices(context: CheckContext, shared: list[tuple[CheckedOperation, Fo
         yield from _partly_written(context.message, shared)
 
 
-def _motors(operation: CheckedOperation) -> list[Port] | None:
-    """Returns the motor ports of an operation; None if they are not known."""
-    roles = [argument.parameter.role for argument in operation.arguments]
-    if Role.MOTORS not in roles and Role.MOTOR not in roles:
-        return None
-    known = dict(zip(roles, map(whole_number, operation.arguments), strict=True))
-    layer, mask, number = (known.get(role) for role in (Role.LAYER, Role.MOTORS, Role.MOTOR))
-    if layer is None or (mask is None and number is None):
-        return None
-    return [(layer, port) for port in MOTOR_LETTERS if port == number or (mask is not None and mask & 1 << port)]
-
-
-def _forget(found: dict[Port, CheckedOperation], ports: list[Port] | None) -> None:
+def _forget(found: dict[MotorAt, CheckedOperation], ports: list[MotorAt] | None) -> None:
     """Removes what is known of some ports; of all if they are not known."""
     for port in list(found) if ports is None else ports:
         found.pop(port, None)
 
 
-def _reads_after_moves(operations: list[tuple[CheckedOperation, list[Port] | None]]) -> Iterator[Finding]:
-    moved: dict[Port, CheckedOperation] = {}
+def _reads_after_moves(operations: list[tuple[CheckedOperation, list[MotorAt] | None]]) -> Iterator[Finding]:
+    moved: dict[MotorAt, CheckedOperation] = {}
     for operation, ports in operations:
         if operation.has(Effect.STARTS_MOVE):
             moved.update(dict.fromkeys(ports or (), operation))
@@ -80,9 +64,9 @@ def _drives(operation: CheckedOperation) -> bool:
     return any(map(operation.has, (Effect.STOPS_MOTORS, Effect.SETS_MOTORS, Effect.RUNS_MOTORS)))
 
 
-def _other_drives(operations: list[tuple[CheckedOperation, list[Port] | None]]) -> Iterator[Finding]:
-    chosen: dict[Port, CheckedOperation] = {}
-    running: dict[Port, CheckedOperation] = {}
+def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]]) -> Iterator[Finding]:
+    chosen: dict[MotorAt, CheckedOperation] = {}
+    running: dict[MotorAt, CheckedOperation] = {}
     for operation, ports in operations:
         if operation.name in _DRIVES:
             others = [running[port] for port in ports or () if port in running and running[port].name != operation.name]

@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Iterator
 
 from ev3proto.checking import codes
-from ev3proto.checking.context import CheckContext, CheckedOperation
+from ev3proto.checking.context import CheckContext, CheckedOperation, MotorAt
 from ev3proto.checking.report import Finding
 from ev3proto.errors import Fault, counted
 from ev3proto.messages import Argument
@@ -198,9 +198,6 @@ _SHOWS = with_effect(Effect.SHOWS)
 
 _LOOKED_AT = frozenset((Effect.STARTS_SOUND, Effect.SHOWS, Effect.STARTS_MOVE, Effect.DRAWS))
 
-_PORTS = 4
-"""Motor ports of a brick."""
-
 
 def check_effects(context: CheckContext) -> Iterator[Finding]:
     """Checks operations that undo each other."""
@@ -280,14 +277,14 @@ def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
 
 
 def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    moving: dict[tuple[int, int], CheckedOperation] = {}
+    moving: dict[MotorAt, CheckedOperation] = {}
     for operation in operations:
         starts = operation.has(Effect.STARTS_MOVE)
         if not starts and not operation.has(Effect.STOPS_MOTORS):
             if _waits(operation):
                 moving.clear()
             continue
-        ports = _ports(operation)
+        ports = operation.motors or []
         interrupted = {moving[port].start: moving[port] for port in ports if port in moving}
         for before in interrupted.values():
             yield before.finding(
@@ -300,15 +297,6 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
             moving.pop(port, None)
         if starts:
             moving.update(dict.fromkeys(ports, operation))
-
-
-def _ports(operation: CheckedOperation) -> list[tuple[int, int]]:
-    """Returns layer and bit of the motors of an operation; empty if unknown."""
-    known = {argument.parameter.role: whole_number(argument) for argument in operation.arguments}
-    layer, mask = known.get(Role.LAYER), known.get(Role.MOTORS)
-    if layer is None or mask is None:
-        return []
-    return [(layer, 1 << bit) for bit in range(_PORTS) if mask & 1 << bit]
 
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:

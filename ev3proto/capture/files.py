@@ -10,9 +10,11 @@ when it is known whether they are complete, and whether there are several bricks
 from __future__ import annotations
 
 import filecmp
+import hashlib
+import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
@@ -23,6 +25,7 @@ from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.errors import counted
 from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import FieldKind, SystemDeclaration, SystemStatus
 from ev3proto.temporary import PREFIX, temporary_folder
 
@@ -60,7 +63,7 @@ class RecoveredFile:
     peer: str  # the brick's address, in a text its label if it has one
     bytes: int  # number of transferred bytes
     size: int | None  # size of the whole file in bytes, None if unknown
-    outcome: FileState  # complete if the brick answered the last piece; refused if it did so before any byte was moved
+    outcome: FileState  # complete if the brick answered the last piece, or lists the file; refused before any byte
     trouble: str | None  # why it is not complete, or cannot be written, as a sentence
     packets: tuple[int, int]  # its first and its last packet
     file: Path | None = None  # its path on this computer, None if it was not written
@@ -165,6 +168,8 @@ class _Moving:
     stated: int | None = None  # its size in bytes, if there is no transfer
     bytes: int = 0
     unanswered: Record | None = None  # the command with the last piece, or that began it, until its reply comes
+    digest: hashlib._Hash = field(default_factory=lambda: hashlib.md5(usedforsecurity=False))
+    is_listed: bool = False  # a later listing of its folder has its size and MD5
     failure: str | None = None  # the brick's error
     unwritten: str | None = None  # why it is not on this computer's disk
 
@@ -178,7 +183,7 @@ class _Moving:
             return FileState.INCOMPLETE if self.bytes else FileState.REFUSED
         if self.bytes != self.size:
             return FileState.INCOMPLETE
-        if self.direction == FROM_BRICK or self.unanswered is None:
+        if self.direction == FROM_BRICK or self.unanswered is None or self.is_listed:
             return FileState.COMPLETE
         return FileState.UNANSWERED if self.unanswered.message.wants_reply else FileState.SENT
 
@@ -218,6 +223,39 @@ class _Moving:
 
 TO_BRICK, FROM_BRICK = "to brick", "from brick"
 
+_LINE = re.compile(rb"([0-9A-Fa-f]{32}) ([0-9A-Fa-f]{8}) ([^\n]+)")
+"""A file in a listing: MD5, size, name."""
+
+MOST_LISTED = 1 << 20
+"""Maximum number of bytes of listings that are kept to find out whether files have arrived."""
+
+
+class _Folders:
+    """Listings of folders, which prove that files have arrived on the brick."""
+
+    def __init__(self) -> None:
+        self._listed: dict[int, tuple[Transfer, int, bytearray]] = {}
+        self._size = 0
+
+    def add(self, record: Record) -> None:
+        """Takes the next message, if it is of a listing."""
+        transfer = record.transfer
+        if transfer is not None and transfer.command in LISTINGS and self._size < MOST_LISTED:
+            piece = piece_of(record.message)
+            self._size += len(piece)
+            self._listed.setdefault(id(transfer), (transfer, record.number, bytearray()))[2].extend(piece)
+
+    def have(self, moving: _Moving) -> bool:
+        """Returns whether a listing after the last message of a file has it, with its size and MD5."""
+        wanted = moving.digest.hexdigest(), moving.bytes
+        for transfer, number, text in self._listed.values():
+            for digest, size, name in _LINE.findall(text) if number > moving.last else ():
+                path = f"{transfer.path}/{name.decode(STRING_CODING)}"
+                if (digest.decode().lower(), int(size, 16)) == wanted and parts_of(path) == moving.parts:
+                    return True
+        return False
+
+
 _Loose = tuple[tuple[str, int], str, int]
 """The key of pieces without a known file: brick, direction and handle."""
 
@@ -233,15 +271,20 @@ class _Files:
         self._loose: dict[_Loose, _Moving] = {}
         self._images: dict[tuple[str, int], _Moving] = {}
         self._is_full = False
+        self._folders = _Folders()
 
     def take(self, events: Iterable[Event]) -> CaptureError | None:
         """Takes all events. Returns the fault of the capture after everything readable, if any."""
         try:
             for event in events:
                 if isinstance(event, Record):
+                    self._folders.add(event)
                     self._record(event)
         except CaptureError as error:
             return error
+        finally:
+            for moving in self.all:
+                moving.is_listed = moving.unanswered is not None and self._folders.have(moving)
         return CaptureError(f"more than {MOST_FILES} files: the rest is omitted") if self._is_full else None
 
     def _record(self, record: Record) -> None:
@@ -265,6 +308,7 @@ class _Files:
         piece = piece_of(message)
         if piece:
             self._write(moving.number, piece)
+            moving.digest.update(piece)
             moving.bytes += len(piece)
 
     def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration) -> _Moving | None:

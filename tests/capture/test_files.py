@@ -586,3 +586,20 @@ def test_a_file_is_complete_only_if_the_brick_answered_its_last_piece(
     assert list(written(tmp_path)) == ["prjs/test/t.rbf"]
     (moved,) = json.loads(run_ev3proto_text("stats", "--json", "-", stdin=text).stdout)["transfers"]
     assert moved["complete"] is (status == 0)
+
+
+LINE = "CAAC1DF308631609D0BAA6B2A5DAA084 00000010 t.rbf\n"
+LISTED = "send 14 00 09 00 01 99 e8 03 2e 2e 2f 70 72 6a 73 2f 74 65 73 74 2f 00\n"
+LISTED += f"recv 3a 00 09 00 03 99 08 30 00 00 00 01 {LINE.encode().hex(' ')}\n"
+"""The folder, in which t.rbf has 16 bytes and the MD5 of the piece."""
+
+
+def test_a_listing_proves_that_a_file_has_arrived() -> None:
+    piece = PIECE.format("01")
+    for text, outcome in (
+        (BEGUN + HANDLE + piece + LISTED, "complete"),
+        (BEGUN + HANDLE + LISTED + piece, "last piece never answered"),
+        (BEGUN + HANDLE + piece.replace("4C 45", "4C 46") + LISTED, "last piece never answered"),
+        (BEGUN + HANDLE + PIECE.format("81") + LISTED, "complete"),
+    ):
+        assert json.loads(run_ev3proto_text("files", "--json", "-", stdin=text).stdout)["outcome"] == outcome

@@ -59,9 +59,23 @@ def _meant(report: Report) -> tuple[Report, list[Change], list[str]]:
     found = check(frame, dialect=dialect, carrier=carrier, alone=True).nearest
     for one in found:
         after = check(one.frame, dialect=dialect, carrier=carrier)
-        if one.is_sure and is_better(after, report):
+        is_safe = not one.harm and (not report.accepted or _doing(after) == _doing(report))
+        if one.is_sure and is_safe and is_better(after, report):
             return after, [_change(frame, one)], []
     return report, [], [f"{one.message}; {_doubt(one, len(found))}" for one in found]
+
+
+def _doing(report: Report) -> object:
+    """Returns what a frame does: its operations with their values, its type and its global memory; or its bytes."""
+    message = read_last(report.frame, report.dialect)
+    if not isinstance(message, DirectCommand) or message.fault is not None:
+        return report.frame
+    operations = [
+        # 2 and 2.0 are equal in Python, but other bytes to the brick.
+        (one.full_name, [(it.kind, it.form.handle, it.form.address, repr(it.value)) for it in one.arguments])
+        for one in message.operations
+    ]
+    return message.type, message.counter, message.global_size, operations
 
 
 def _shorter(report: Report) -> tuple[Report, list[Change], list[str]]:
@@ -97,6 +111,8 @@ def _doubt(one: Suggestion, count: int) -> str:
     """Returns why a suggestion is not made."""
     if count > 1:
         return "or something else, which is as likely"
+    if one.is_sure:
+        return "so it is up to you" if one.harm else "but the brick accepts the frame, and would do something else then"
     return "its bytes can only be guessed" if one.unknown else "but that is not certain"
 
 

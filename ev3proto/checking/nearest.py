@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from ev3proto.checking import codes
 from ev3proto.checking.checking import check
+from ev3proto.checking.dangers import dangers_of, warning
 from ev3proto.checking.edits import (
     DIRECT,
     SYSTEM,
@@ -122,6 +123,16 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     if any(finding.code == "H101" for finding in report.findings):
         frame = report.frame[: stated_size(report.frame)]  # without the padding of a USB report
         return check(frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone).nearest
+    return tuple(_with_warning(report, one) for one in _meant(report))
+
+
+def _with_warning(report: Report, one: Suggestion) -> Suggestion:
+    """Returns a suggestion that tells what it would do that the given frame does not."""
+    harm = warning(dangers_of(one.frame, report.dialect) - dangers_of(report.frame, report.dialect))
+    return replace(one, message=f"{one.message}; {harm}", harm=harm) if harm else one
+
+
+def _meant(report: Report) -> tuple[Suggestion, ...]:
     reader = frame_reader(report.dialect)
     found = foreign(report.frame, reader)
     if found.kind is Kind.DIGITS and found.frame is not None:
@@ -186,6 +197,7 @@ class _Search:
         self._report = report
         self._frame, self._dialect = report.frame, report.dialect
         self._unread, self._unchecked = _MOST_READ, _MOST_CHECKED
+        self._dangers = dangers_of(self._frame, self._dialect)
 
     def suggestions(self) -> tuple[Suggestion, ...]:
         """Returns the best candidates, if they are better than silence."""
@@ -231,8 +243,10 @@ class _Search:
                 price = candidate.price + SLIPS["memory-size"].cost
                 candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
         rarity, doubt = self._costs(candidate.frame, report)
-        doubt += candidate.price
+        dangers = dangers_of(candidate.frame, self._dialect) - self._dangers
+        doubt += candidate.price + sum([one.cost for one in dangers])
         is_right = report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame))
+        is_right = is_right and (not self._report.accepted or all(one.is_told for one in dangers))
         return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
 
     def _best(self, frame: bytes, before: _Candidate | None = None) -> list[_Judged]:

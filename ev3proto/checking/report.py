@@ -71,6 +71,7 @@ class Suggestion:
     frame    the frame that was probably meant
     unknown  the bytes of that frame that can only be guessed, as pairs of offset and length
     is_sure  whether it is likely enough for a fix: the only suggestion, with nothing guessed
+    harm     half a sentence: what it would do that is worse than what the given frame does, so that no fix takes it
     """
 
     kind: str
@@ -80,6 +81,7 @@ class Suggestion:
     frame: bytes
     unknown: tuple[tuple[int, int], ...] = ()
     is_sure: bool = False
+    harm: str = ""
 
     def as_dict(self) -> dict[str, Any]:
         """Returns it as a dictionary for other tools; `hex` is the frame."""
@@ -91,6 +93,7 @@ class Suggestion:
             "hex": self.frame.hex(),
             "unknown": [list(span) for span in self.unknown],
             "sure": self.is_sure,
+            **({"harm": self.harm} if self.harm else {}),
         }
 
 

@@ -342,7 +342,7 @@ def check(names: tuple[str, ...], options: CheckOptions, reading: Options) -> No
     \b
       ev3proto check 08 00 2a 00 80 00 00 81 01 60
       ev3proto check 'UI_READ(GET_VBATT, GV0(0))'
-      ev3proto check --fix "0x|0C:00|2A:00|80|00:00|A5|01|81:32|A6|00|01|"
+      ev3proto check --fix "0x|0E:00|2A:00|80|00:00|94|01|02|82:B8:01|81:E8:03|"
       ev3proto check --strict --no-hints robot.log
       ev3proto check robot.rbf
       ev3proto check robot.lms

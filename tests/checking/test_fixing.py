@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given, settings
+from support.brick_state import state_of
 from support.effort import effort
 from support.messages import frame_of
 
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
+from ev3proto.brick import Brick
 from ev3proto.checking.checking import check
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.fixing import fix
 from ev3proto.checking.report import Fix
 from ev3proto.schema.argument import encode_as
-from ev3proto.testing import frames, mutated_frames
+from ev3proto.testing import accepted_frames, frames, mutated_frames
 
 many = settings(max_examples=effort(75, 1000))
 
@@ -87,8 +89,8 @@ def test_padding_is_not_a_wrong_length() -> None:
 
 
 def test_a_slip_says_what_it_is() -> None:
-    (change,) = fix(frame_of("0C:00|2A:00|80|00:00|A5:00:01:4B:A6:00:01")).changes
-    assert str(change) == "offset 10: nothing -> 81 (SPEED of OUTPUT_SPEED is a raw number: 75 is written 81 4B)"
+    (change,) = fix(frame_of("0D:00|2A:00|80|00:00|94:02:02:84:68:65:6C:6C")).changes
+    assert str(change) == "offset 15: nothing -> 00 (the text NAME of SOUND.PLAY has no zero at its end)"
 
 
 def test_two_that_are_as_likely_are_not_fixed() -> None:
@@ -101,20 +103,37 @@ def test_two_that_are_as_likely_are_not_fixed() -> None:
 # Memory and type
 
 
-def test_memory_that_was_not_asked_for() -> None:
-    fixed = fix(frame_of("08:00|2A:00|00|00:00|81|01|60|"))
-    assert fixed.frame == frame_of(VOLTAGE)
-    assert told(fixed) == ["memory: 00 -> 04"]
+ACCEPTED = "but the brick accepts the frame, and would do something else then"
 
 
-def test_memory_that_is_too_small_for_an_array() -> None:
-    fixed = fix(asking(operation("INPUT_DEVICE_LIST", 32, GV(0), GV(32)), global_size=4))
-    assert parsed(fixed.frame).global_size == 33
+@pytest.mark.parametrize(
+    "frame",
+    [
+        frame_of("08:00|2A:00|00|00:00|81|01|60|"),  # a longer reply
+        asking(operation("INPUT_DEVICE_LIST", 32, GV(0), GV(32)), global_size=4),
+        frame_of(VOLTAGE.replace("|00|", "|80|")),  # a reply where none was
+        frame_of("0C:00|2A:00|80|00:00|A5:00:01:4B:A6:00:01"),  # another speed than that of a variable
+        frame_of("09:00|2A:00|00|04:00|8D:08:02:60"),  # a float for a whole number
+    ],
+)
+def test_what_an_accepted_frame_does_is_left_alone(frame: bytes) -> None:
+    fixed = fix(frame)
+    assert (fixed.frame, fixed.changes, fixed.report.accepted) == (frame, (), True)
+    assert fixed.unfixed[0].endswith(ACCEPTED)
 
 
-def test_local_memory() -> None:
-    fixed = fix(command(operation("MOVE32_32", 7, LV(4))))
-    assert (parsed(fixed.frame).local_size, parsed(fixed.frame).global_size) == (8, 0)
+def test_what_is_worse_than_the_frame_is_told_and_left_alone() -> None:
+    frame = frame_of("0C:00|2A:00|80|00:00|A5:01:81:32:A6:00:01")
+    (one,) = check(frame, alone=True).nearest
+    assert (one.harm, one.is_sure) == ("this would make motors turn", True)
+    assert one.message == f"LAYER of OUTPUT_SPEED is missing; {one.harm}"
+    assert fix(frame).unfixed == (f"{one.message}; so it is up to you",)
+
+
+def test_local_memory_that_was_not_asked_for() -> None:
+    """The brick grants all of it in any case."""
+    frame = command(operation("MOVE32_32", 7, LV(4)))
+    assert fix(frame).frame == command(operation("MOVE32_32", 7, LV(4)), local_size=8)
 
 
 def test_more_memory_than_there_is() -> None:
@@ -140,18 +159,6 @@ def test_memory_that_nothing_uses_stays() -> None:
     """Programs that read the reply may depend on its size."""
     frame = asking(operation("UI_READ.GET_VBATT", GV(0)), global_size=20)
     assert fix(frame).frame == frame
-
-
-def test_outputs_without_a_reply() -> None:
-    fixed = fix(frame_of(VOLTAGE.replace("|00|", "|80|")))
-    assert fixed.frame == frame_of(VOLTAGE)
-    assert told(fixed) == ["type: 80 -> 00"]
-
-
-def test_an_output_right_after_memory_that_the_command_reads_needs_a_reply() -> None:
-    copied = (operation("UI_READ.GET_VBATT", GV(0)), operation("MOVEF_F", GV(0), LV(0)))
-    fixed = fix(command(*copied, operation("UI_READ.GET_LBATT", GV(4)), global_size=5, local_size=4))
-    assert told(fixed) == ["type: 80 -> 00"]
 
 
 def test_global_memory_that_the_command_itself_reads_needs_no_reply() -> None:
@@ -277,8 +284,21 @@ def test_shortening_changes_no_constant_and_no_order(frame: bytes) -> None:
         assert meaning(fixed.frame) == meaning(frame)
 
 
-def test_swapped_bytes_of_the_memory_word_are_put_right() -> None:
-    fixed = fix(bytes.fromhex("08002a00000004810160"))
-    assert fixed.frame.hex() == "08002a00000400810160"
-    assert [(change.what, change.before, change.after) for change in fixed.changes] == [("memory", "00:04", "04:00")]
-    assert fixed.report.findings == ()
+# Safety
+
+
+def outcome(frame: bytes) -> tuple[list[bytes], dict[str, str]]:
+    """Returns the replies to a frame and the state of the brick a while after it."""
+    brick = Brick()
+    replies = brick.receive(frame) + brick.advance(0.5)
+    return replies, state_of(brick)
+
+
+@settings(max_examples=effort(200, 10_000), deadline=None)
+@given(frames() | accepted_frames() | mutated_frames())
+def test_a_fix_never_changes_what_an_accepted_frame_does(frame: bytes) -> None:
+    fixed = fix(frame).frame
+    if fixed != frame and check(frame).accepted:
+        (replies, state), (others, other) = outcome(frame), outcome(fixed)
+        assert replies == others
+        assert not {key: (value, other.get(key)) for key, value in state.items() if other.get(key) != value}

@@ -13,6 +13,7 @@ import ev3proto
 from ev3proto.checking import nearest as search
 from ev3proto.checking.checking import check
 from ev3proto.checking.codes import CODES
+from ev3proto.checking.dangers import dangers_of
 from ev3proto.checking.report import Suggestion
 from ev3proto.checking.slips import SLIPS
 from ev3proto.schema.header import with_length
@@ -50,10 +51,10 @@ def test_nothing_is_said_of_the_frame_that_was_meant(kind: str) -> None:
 
 
 def test_a_suggestion_tells_place_and_sentence() -> None:
-    (one,) = code("A5 01 81 32 A6 00 01")
-    assert (one.kind, one.offset, one.length) == ("missing", 8, 0)
-    assert one.message == "LAYER of OUTPUT_SPEED is missing"
-    assert one.frame == bytes.fromhex("0D00 0100 80 0000 A5 00 01 81 32 A6 00 01")
+    (one,) = code("94 02 02 68656C6C00")
+    assert (one.kind, one.offset, one.length) == ("no-84", 10, 0)
+    assert one.message == "the text NAME of SOUND.PLAY begins with its identification byte, 84"
+    assert one.frame == bytes.fromhex("0E00 0100 80 0000 94 02 02 84 68656C6C00")
     assert (one.unknown, one.is_sure) == ((), True)
 
 
@@ -295,3 +296,27 @@ def test_the_digits_of_a_frame_are_fixed_to_the_frame() -> None:
         (one,) = report.nearest
         assert (one.kind, one.offset, one.length, one.frame) == ("digits", 0, len(text), right)
         assert report.fixed.frame == right
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0700 0100 80 F200 01 01",  # erases the firmware, if its type were another
+        "0700 0100 00 9300 01 01",
+        "0800 0100 00 F204 81 01 60",
+    ],
+)
+def test_no_danger_is_suggested_for_a_frame_that_the_brick_accepts(text: str) -> None:
+    report = check(bytes.fromhex(text), alone=True)
+    assert not report.accepted or not [one for one in report.nearest if one.harm]
+
+
+@many
+@given(frames() | mutated_frames())
+def test_what_is_worse_than_an_accepted_frame_is_motion_or_a_name(frame: bytes) -> None:
+    report = check(frame, alone=True)
+    for one in report.nearest if report.accepted else ():
+        new = dangers_of(one.frame, "official") - dangers_of(frame, "official")
+        assert {each.words for each in new} <= {"make motors turn", "give the brick another name"}
+        assert one.harm in one.message
+        assert bool(one.harm) == bool(new)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import product
-
 import pytest
 from support.cases import each
 from support.notations import EXAMPLES, NOTATIONS
@@ -11,10 +9,9 @@ from support.notations import EXAMPLES, NOTATIONS
 import ev3proto
 from ev3proto.text.paste import read_text
 
-NO_REPLY = bytes.fromhex("08002a00800400810160")
-"""The voltage, asked for without a reply."""
-FIXED = bytes.fromhex("08002a00000400810160")
-NO_MEMORY = bytes.fromhex("08002a00000000810160")
+REFUSED = bytes.fromhex("0e002a0080000094010282b80181e803")
+"""A duration of two bytes, announced as one."""
+FIXED = bytes.fromhex("0e002a0080000094010282b80182e803")
 LONGER = bytes.fromhex("0f002a0080000094018105 82b801 82e803")
 """A volume of 5 in two bytes."""
 SHORTER = bytes.fromhex("0e002a00800000940105 82b801 82e803")
@@ -23,8 +20,8 @@ SHORTER_TONE = bytes.fromhex("0e000000800000940102 82e803 82e803")
 
 LOG = """\
 # my robot, 2024-01-31: the frame 08 00 2A 00 is the start
-12:00:01.500 Sent 0x|08:00|2A:00|80|04:00|81|01|60|   // reads the voltage
-12:00:01.600 Recv 0x|07:00|2A:00|02|A4:70:FD:40|
+12:00:01.500 Sent 0x|0E:00|2A:00|00|00:00|94:01|02|82:B8:01|81:E8:03|   // a tone
+12:00:01.600 Recv 0x|03:00|2A:00|04|
 
 12:00:02.500 Sent 0x|08:00|2B:00|00|04:00|81|01|60|   // again
 12:00:03.500 Sent 0x|08:00|2C:00|00|08:00|81|01|61|   // at an odd place
@@ -37,7 +34,7 @@ def frames(text: str) -> list[bytes]:
 
 def test_a_log_keeps_its_comments_times_and_replies() -> None:
     fixed = ev3proto.fix_text(LOG)
-    assert fixed.text == LOG.replace("2A:00|80|04:00", "2A:00|00|04:00")
+    assert fixed.text == LOG.replace("81:E8:03", "82:E8:03")
     assert fixed.is_fixed
     assert fixed.lines == (2,)
     assert [(each.line, each.fix.is_fixed, each.is_written) for each in fixed.frames] == [
@@ -56,18 +53,18 @@ def test_a_text_without_anything_to_fix_is_the_same() -> None:
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_line_ends_stay(end: str) -> None:
-    text = f"a{end}{NO_REPLY.hex(' ')}{end}b"
+    text = f"a{end}{REFUSED.hex(' ')}{end}b"
     assert ev3proto.fix_text(text).text == f"a{end}{FIXED.hex(' ')}{end}b"
 
 
 def test_several_frames_in_one_line() -> None:
-    fixed = ev3proto.fix_text(f"first {NO_REPLY.hex(' ')}, then {LONGER.hex()}; done\n")
+    fixed = ev3proto.fix_text(f"first {REFUSED.hex(' ')}, then {LONGER.hex()}; done\n")
     assert fixed.text == f"first {FIXED.hex(' ')}, then {SHORTER.hex()}; done\n"
 
 
-@each("name, broken", product(NOTATIONS, (NO_REPLY, NO_MEMORY)))
-def test_a_type_and_memory_are_fixed_in_every_notation(name: str, broken: bytes) -> None:
-    text = f"# 2024-01-31\n{NOTATIONS[name](broken)}\n/* the end */\n"
+@each("name", NOTATIONS)
+def test_a_byte_is_fixed_in_every_notation(name: str) -> None:
+    text = f"# 2024-01-31\n{NOTATIONS[name](REFUSED)}\n/* the end */\n"
     fixed = ev3proto.fix_text(text)
     assert frames(fixed.text) == [FIXED], text
     before, after = text.splitlines(), fixed.text.splitlines()
@@ -121,21 +118,19 @@ def test_bytes_are_removed_in_place(before: str, after: str) -> None:
 
 
 def test_bytes_that_look_moved_are_edited_in_place() -> None:
-    # Both bytes of memory change: 00 00 04 becomes 00 04 00.
-    assert (
-        ev3proto.fix_text("# mine\n08 00 2A 00 00 00 04 81 01 60\n").text == "# mine\n08 00 2A 00 00 04 00 81 01 60\n"
-    )
-    assert ev3proto.fix_text("08:00|2A:00|00|00:04|81|01|60|").text == "08:00|2A:00|00|04:00|81|01|60|"
+    """Both bytes of the length change: 00 0E becomes 0E 00."""
+    swapped = FIXED[1::-1] + FIXED[2:]
+    assert ev3proto.fix_text(f"# mine\n{swapped.hex(' ')}\n").text == f"# mine\n{FIXED.hex(' ')}\n"
 
 
 def test_rows_of_a_dump_keep_their_size() -> None:
-    """Encodings are not shortened there, and the type is fixed all the same."""
+    """Encodings are not shortened there, and another byte is fixed all the same."""
     dump = (
-        "00000000  15 00 2a 00 80 04 00 94  01 81 05 82 b8 01 82 e8  |..*.............|\n"
-        "00000010  03 81 01 60 96 96 96                              |...`...|\n"
+        "00000000  15 00 2a 00 80 00 00 96  96 96 96 96 96 94 01 81  |..*.............|\n"
+        "00000010  05 82 b8 01 81 e8 03                              |.......|\n"
     )
     fixed = ev3proto.fix_text(dump)
-    assert fixed.text == dump.replace("2a 00 80", "2a 00 00")
+    assert fixed.text == dump.replace("01 81 e8", "01 82 e8")
     assert fixed.frames[0].is_written
     broken = frames(dump)[0]
     assert len(ev3proto.fix(broken).frame) < len(broken) == len(frames(fixed.text)[0])

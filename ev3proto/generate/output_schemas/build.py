@@ -75,7 +75,7 @@ def _check() -> Schema:
 def _suggestion() -> Schema:
     span = list_of(WHOLE)
     facts = {"kind": TEXT, "offset": WHOLE, "length": WHOLE, "message": TEXT, "hex": HEX}
-    return object_of(facts | {"unknown": list_of(span), "sure": FLAG})
+    return object_of(facts | {"unknown": list_of(span), "sure": FLAG, "harm": TEXT}, "harm")
 
 
 def _counts() -> Schema:

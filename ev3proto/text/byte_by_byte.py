@@ -68,9 +68,9 @@ def _parts(message: Message, frame: bytes) -> Iterator[HeaderField]:
     stated, right = int.from_bytes(frame[:LENGTH_FIELD], "little"), len(frame) - LENGTH_FIELD
     wrong = "" if stated == right else f" according to it; in fact {right}"
     yield HeaderField("length", 0, LENGTH_FIELD, f"{counted(stated, 'byte')} after this field{wrong}")
-    yield HeaderField(
-        "counter", LENGTH_FIELD, COUNTER_SIZE, f"{message.counter}; a reply has the counter of its command"
-    )
+    # A frame that ends before its type has a counter, which its message lacks.
+    counter = int.from_bytes(frame[LENGTH_FIELD:_TYPE], "little")
+    yield HeaderField("counter", LENGTH_FIELD, COUNTER_SIZE, f"{counter}; a reply has the counter of its command")
     if message.type is None or len(frame) < HEADER_SIZE:
         return
     meaning = TYPE_MEANINGS[message.type]

@@ -156,12 +156,21 @@ def _motors(mask: int) -> str:
     return f"motor {names[0]}" if len(names) == 1 else f"motors {', '.join(names[:-1])} and {names[-1]}"
 
 
+def _motor(number: int) -> str:
+    letter = _letter(number)
+    return "no motor" if letter is None else f"motor {letter}"
+
+
 def _port(number: int) -> str:
-    letter = next((letter for letter, at in LETTERS.items() if at == number - _FIRST_MOTOR), None)
+    letter = _letter(number - _FIRST_MOTOR)
     return f"port {number + 1}" if letter is None else f"port {letter}"
 
 
-_PORTS = {Role.MOTORS: _motors, Role.MOTOR: lambda number: _motors(1 << number), Role.PORT: _port}
+def _letter(number: int) -> str | None:
+    return next((letter for letter, at in LETTERS.items() if at == number), None)
+
+
+_PORTS = {Role.MOTORS: _motors, Role.MOTOR: _motor, Role.PORT: _port}
 
 
 def _with_unit(value: int, unit: str | None) -> str:

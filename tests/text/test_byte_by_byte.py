@@ -37,6 +37,11 @@ def test_a_header_has_the_fields_that_its_frame_has(frame: str, names: list[str]
     assert [part.name for part in header_parts(message)] == names
 
 
+def test_a_frame_that_ends_before_its_type_has_a_counter() -> None:
+    message = ev3proto.parse(bytes.fromhex("c47d01f4"), strict=False)
+    assert list(header_parts(message))[1].text == "62465; a reply has the counter of its command"
+
+
 def test_a_wrong_length_is_said() -> None:
     message = ev3proto.parse(bytes.fromhex("09002a00000400810160"), strict=False)
     assert next(header_parts(message)).text == "9 bytes after this field according to it; in fact 8"

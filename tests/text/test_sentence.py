@@ -36,6 +36,9 @@ def said(*words: str) -> str:
         ),
         ("08002a00800000a60104", "Starts motor C on layer 1."),
         ("0b002a000001009a0000000060", "Reads port 1 in percent."),
+        # A number of a motor that no brick has.
+        ("0a000100000300a8003f6064", "Reads speed and count of no motor."),
+        ("0e000100000300a80083ffffff7f6064", "Reads speed and count of no motor."),
         (
             "0e002a0080000094010182b80182e8",
             "Plays 440 Hz at volume 1 %; but it is wrong at offset 0: the frame is cut off.",
@@ -44,6 +47,15 @@ def said(*words: str) -> str:
 )
 def test_a_command_is_a_sentence(frame: str, sentence: str) -> None:
     assert said(frame).startswith(sentence)
+
+
+def test_every_mask_of_motors_has_a_sentence() -> None:
+    """OUTPUT_STOP with each number that one byte holds, and the ends of four."""
+    masks = [f"81{number:02x}" for number in range(0x100)] + ["83ffffff7f", "8300000080"]
+    frames = [f"{8 + len(mask) // 2:02x}002a00800000a300{mask}01" for mask in masks]
+    lines = said(*frames).splitlines()
+    assert {line.split()[0] for line in lines} == {"Stops"}
+    assert len(lines) == len(masks)
 
 
 def test_an_operation_without_a_sentence_is_described_with_what_it_is_given() -> None:

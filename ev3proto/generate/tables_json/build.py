@@ -27,6 +27,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.tables import AREAS, carriers, daisy, discovery, frame
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DIALECTS, Direction, Effect, Role, Type
+from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import (
     CONSTANT,
     COUNTS,
@@ -87,6 +88,7 @@ _MESSAGE_TYPE = Shape(
         "kind": one_of(sorted({member.kind for member in MessageType}), "what follows it"),
         "wants_reply": flag("whether the brick answers"),
         "is_error": flag("whether the command failed"),
+        "text": (_LINE, lambda it: frame.TYPE_MEANINGS[it]),
     },
 )
 
@@ -152,6 +154,7 @@ _PARAMETER_PROPERTIES: dict[str, Any] = {
         name("the parameter that tells how many there are"),
         lambda it: it.length if isinstance(it.length, str) else None,
     ),
+    "indexed_by": name("of arrays: the parameter with the index of the element that is written"),
     "element": (
         {**ref("type_name"), "description": "of counts and lists: the type of each value that follows"},
         lambda it: _label(it.element),
@@ -288,8 +291,9 @@ _FIELD = Shape(
         "counts": name("of lengths: the field whose bytes they count"),
         "optional": flag("senders may omit it"),
         "most_bytes": (number("largest number of bytes that the firmware takes", 1), lambda it: it.most),
+        "is_message": flag("a mailbox's message: a text, a number or a logic value"),
     },
-    optional=("counts", "optional", "most_bytes"),
+    optional=("counts", "optional", "most_bytes", "is_message"),
 )
 
 _SYSTEM_COMMAND = Shape(
@@ -310,8 +314,18 @@ _SYSTEM_COMMAND = Shape(
         "bootloader": flag("only the brick's firmware updater knows it"),
         "transfer": one_of(["begin", "continue", "close"], "the part it plays in moving a file"),
         "effects": _EFFECTS,
+        "is_long": flag("its frame may be longer than the largest of others"),
+        "statuses": (
+            {
+                "type": "object",
+                "description": "what the statuses mean that the firmware answers with, other than 0",
+                "propertyNames": {"pattern": "^[0-9]+$"},
+                "additionalProperties": {"type": "string"},
+            },
+            lambda it: {str(status.value): meaning for status, meaning in it.statuses},
+        ),
     },
-    optional=("bootloader", "transfer", "effects"),
+    optional=("bootloader", "transfer", "effects", "is_long", "statuses"),
 )
 
 _SYSTEM_STATUS = Shape(
@@ -333,6 +347,32 @@ _DAISY_COMMAND = Shape(
     },
 )
 
+_DATASET = Shape(
+    "a value of a reading",
+    {"name": text("what it measures"), "unit": text("as people write it")},
+    optional=("unit",),
+)
+_MODE = Shape(
+    "a mode of a device",
+    {
+        "name": text("as the firmware spells it"),
+        "is_scaled": (flag("its raw values are not in the unit"), lambda it: it.raw != it.si),
+        "values": (
+            array(_DATASET.schema, "the values of a reading; none where they are not documented"),
+            lambda it: list(map(_DATASET.data, it.values)),
+        ),
+    },
+    optional=("is_scaled",),
+)
+_DEVICE = Shape(
+    "a type of sensor or motor",
+    {
+        "number": number("as in TYPE", 0),
+        "title": text("what people call it"),
+        "modes": (array(_MODE.schema, "by number, from 0"), lambda it: list(map(_MODE.data, it.modes))),
+    },
+)
+
 # Sections
 
 _FRAME = Shape(
@@ -345,6 +385,8 @@ _FRAME = Shape(
         "global_bits": (number("lower bits of the memory field: bytes of global memory", 1), frame.GLOBAL_BITS),
         "local_bits": (number("upper bits of the memory field: bytes of local memory", 1), frame.LOCAL_BITS),
         "string_coding": (text("how strings are encoded"), STRING_CODING),
+        "most_counted": (number("values in a list with a count of its own", 1), COUNTS.high),
+        "sensor_data": (number("bytes of a sensor's data in a daisy reply", 1), daisy.SENSOR_DATA_SIZE),
     },
 )
 
@@ -435,6 +477,10 @@ def _document() -> Shape:
             "daisy_commands": (
                 array(ref("daisy_command"), "what bricks say to each other when they are joined by USB"),
                 list(map(_DAISY_COMMAND.data, daisy.DaisySubCommand)),
+            ),
+            "devices": (
+                array(_DEVICE.schema, "what readings of sensors and motors are, by type and mode"),
+                list(map(_DEVICE.data, DEVICE_TYPES.values())),
             ),
             "carriers": _CARRIERS.nested,
             "constants": (

@@ -42,9 +42,9 @@ _TIME = re.compile(
 class Clock:
     """A clock for the frames of a text, which never goes back."""
 
-    def __init__(self, begin_ns: int = 0) -> None:
-        """Takes the beginning of the day of times without dates, in nanoseconds since 1970-01-01 UTC."""
-        self._begin_ns = begin_ns
+    def __init__(self, day_ns: int | None = None) -> None:
+        """Takes the day of times without dates, in nanoseconds since 1970-01-01 UTC; None: the first of them is 0."""
+        self._begin_ns = day_ns
         self._days_ns = 0
         self._last_ns: int | None = None
 
@@ -56,10 +56,12 @@ class Clock:
         last_ns = self._last_ns
         found = None if time is None else _nanoseconds(time)
         if found is None:
-            now_ns = self._begin_ns if last_ns is None else last_ns + STEP_NS
+            now_ns = self._begin_ns or 0 if last_ns is None else last_ns + STEP_NS
         else:
             now_ns, has_date = found
-            now_ns += 0 if has_date else self._begin_ns + self._days_ns
+            if self._begin_ns is None and not has_date:
+                self._begin_ns = -now_ns
+            now_ns += 0 if has_date else (self._begin_ns or 0) + self._days_ns
             if last_ns is not None and not has_date and last_ns - now_ns > _DAY_NS // 2:
                 self._days_ns += _DAY_NS
                 now_ns += _DAY_NS

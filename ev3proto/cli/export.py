@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from ev3proto.capture.record import NANOSECONDS, OLDEST_DATE, Record
+from ev3proto.capture.record import Record
 from ev3proto.capture.text_log import DAY_NS, Clock
 from ev3proto.cli.commands import Group
 from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
@@ -143,13 +143,12 @@ def everything(folder: Path, check: bool) -> None:
 # Frames
 
 
-def _timed_frames(records: Iterable[Record], *, is_filtered: bool) -> Iterator[tuple[bytes | TimedFrame, Record]]:
+def _timed_frames(records: Iterable[Record]) -> Iterator[tuple[bytes | TimedFrame, Record]]:
     """Yields the frames, at the times of captures or texts or after the frame before."""
     clock, has_times = Clock(DAY_NS), None
     for record in records:
-        if record.written is None or is_filtered:
-            is_date = record.written is None or record.time_ns >= OLDEST_DATE * NANOSECONDS
-            yield TimedFrame(record.frame, record.time_ns + (0 if is_date else DAY_NS)), record
+        if record.written is None:
+            yield TimedFrame(record.frame, record.time_ns), record
             continue
         time = record.written.time
         has_times = time is not None if has_times is None else has_times
@@ -190,7 +189,7 @@ def pcapng(names: tuple[str, ...], output: Path | None, carrier: str, interval: 
         writer = CaptureWriter(stream, carrier=carrier, step_ns=round(interval * _NANOSECONDS_EACH))
         problems = Problems()
         found = Reading(named(names, is_quiet=True), replace(reading, sources=Sources.NO, images=False))
-        for frame, record in _timed_frames(problems.records(found), is_filtered=reading.filter is not None):
+        for frame, record in _timed_frames(problems.records(found)):
             try:
                 writer.add(frame)
             except BuildError as error:

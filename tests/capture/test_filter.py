@@ -573,7 +573,7 @@ def test_the_words_of_the_language_are_not_reserved() -> None:
     assert not holds("interface == or or error", record)
 
 
-MATCHES_NOTHING = {'fault contains "opcode"', "interface", "orphan"}
+MATCHES_NOTHING = {'fault contains "opcode"', "interface", "missing", "orphan"}
 """Examples that no capture here has."""
 
 

@@ -81,7 +81,8 @@ def test_the_built_in_reader_finds_what_is_whole(carrier: str, size: str, made: 
 @pytest.mark.parametrize("size", SIZES)
 def test_the_dissector_finds_what_is_whole(carrier: str, size: str, made: Lossy, tshark: Tshark) -> None:
     hold(carrier, size, made.whole, dissected(tshark, made.data))
-    hold(carrier, size, made.whole, dissected(tshark, made.data, "-2"))
+    if size == "pieces":
+        hold(carrier, size, made.whole, dissected(tshark, made.data, "-2"))
 
 
 def test_a_capture_begins_inside_a_frame_of_tiny_packets(tshark: Tshark) -> None:

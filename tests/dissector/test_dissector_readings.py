@@ -18,9 +18,8 @@ CAPTURES = sorted(path for path in (Path(__file__).parents[2] / "captures").iter
 INFO = '"Info","%i"'
 PROFILE = ",".join(f'"{column.title}","{column.format}"' for column in COLUMNS if column.format != "%i")
 READINGS = {
-    "a display filter": ("-2", "-Y", "ev3.msg_num || ev3"),
     "a read filter": ("-2", "-R", "ev3", "-Y", "ev3"),
-    "the profile's columns": ("-2", "-Y", "ev3", "-o", f"gui.column.format:{PROFILE},{INFO}"),
+    "the profile's columns": ("-2", "-Y", "ev3.msg_num || ev3", "-o", f"gui.column.format:{PROFILE},{INFO}"),
 }
 """The options with which tshark reads like Wireshark's window."""
 

@@ -52,17 +52,13 @@ def test_a_missing_brick_is_named(tmp_path: Path) -> None:
     assert "nothing is listening" in done.stderr
 
 
-@pytest.mark.parametrize(
-    ("setting", "reason"),
-    [("target:nonsense", "Error: Invalid value for '--target'"), ("port:70000", "Error: Invalid value for '--port'")],
-)
-def test_a_refused_option_ends_the_capture_at_once(tmp_path: Path, setting: str, reason: str) -> None:
+def test_a_refused_option_ends_the_capture_at_once(tmp_path: Path) -> None:
     """Wireshark waits until the FIFO is opened."""
     environment = {**os.environ, "HOME": str(tmp_path)}
     run("dissector", "install", env=environment)
-    words = ["-i", "ev3proxy", "-o", f"extcap.ev3proxy.{setting}", "-a", "packets:1"]
+    words = ["-i", "ev3proxy", "-o", "extcap.ev3proxy.port:70000", "-a", "packets:1"]
     done = subprocess.run(["tshark", *words], env=environment, capture_output=True, text=True, timeout=60)
-    assert reason in done.stderr
+    assert "Error: Invalid value for '--port'" in done.stderr
 
 
 def test_a_failing_library_is_not_blamed_on_the_capture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -276,7 +276,7 @@ CHUNKED = {
 
 
 def told(chunks: list[bytes]) -> list[str]:
-    return [f"{item!r} at {item.place}" for item in ev3proto.read(Pipe(chunks))]
+    return [f"{item!r} at {item.place}" for item in ev3proto.read(io.BufferedReader(Pipe(chunks)))]
 
 
 @each("name", CHUNKED)

@@ -10,7 +10,7 @@ import pytest
 from support.cases import each
 
 from ev3proto.text.paste import elements, read_text, repairs, runs
-from ev3proto.text.paste.elements import BYTES, FORMS, Form, split
+from ev3proto.text.paste.elements import BYTES, FORMS, Form, elements_of
 from ev3proto.text.paste.repairs import REPAIRS, Repair
 
 FASTER = ("run", "digits", "word")
@@ -26,18 +26,18 @@ def without(module: Any, table: str, row: object) -> Iterator[None]:
     elements._splitter.cache_clear()
 
 
-def elements_of(form: Form) -> Any:
+def elements_in(form: Form) -> Any:
     example = form.example.split("|") if form.example.count("|") == 2 else ("", form.example, "")
     before = "0f " if form.kind in ("blank", "other") and not example[0] else example[0]
-    found, after = split(f"{before}{example[1]}{example[2]}")
+    found, after = elements_of(f"{before}{example[1]}{example[2]}")
     return [(one.kind, one.text, one.gap) for one in found], after
 
 
 @each("form", [form for form in FORMS if form.kind not in FASTER or "|" in form.example])
 def test_a_form_is_needed_by_its_example(form: Form) -> None:
-    whole = elements_of(form)
+    whole = elements_in(form)
     with without(elements, "FORMS", form):
-        assert elements_of(form) != whole
+        assert elements_in(form) != whole
 
 
 @each("way", elements._WAYS)
@@ -49,7 +49,7 @@ def test_a_way_to_write_bytes_is_needed_by_its_example(way: elements.Way) -> Non
 
 @each("row", runs._BY_DIGITS)
 def test_a_row_of_bases_is_needed_by_one_of_its_examples(row: Any) -> None:
-    examples = [split(example)[0] for example in row[0].split(", ") if " " in example] or [split(row[0])[0]]
+    examples = [elements_of(example)[0] for example in row[0].split(", ") if " " in example] or [elements_of(row[0])[0]]
     whole = [runs.Run(example).bases for example in examples]
     with without(runs, "_BY_DIGITS", row), pytest.MonkeyPatch.context() as patched:
         patched.setattr(runs, "_BY_DIGITS", (*runs._BY_DIGITS, ("", lambda _: True, ("nothing",))))

@@ -193,11 +193,7 @@ def elements_of(line: str, number: int = 0) -> tuple[list[TextElement], str]:
     found: list[TextElement] = []
     new, at, gap = tuple.__new__, 0, ""  # as TextElement(...), in half its time: lines have many
     if _PLAIN.fullmatch(line) and "0b" not in line:
-        for match in _DIGITS.finditer(line):
-            begin, end = match.span()
-            found.append(new(TextElement, ("digits", match[0], begin, end, line[at:begin], number)))
-            at = end
-        return found, ""
+        return _plain_digits(line, number), ""
     lead = _LEAD.match(line)
     at = lead.end() if lead else 0
     pattern, kinds = _splitter()
@@ -206,8 +202,7 @@ def elements_of(line: str, number: int = 0) -> tuple[list[TextElement], str]:
         if kind == "word":
             continue
         begin, end = match.span()
-        gap += line[at:begin]
-        at = end
+        gap, at = gap + line[at:begin], end
         if kind == "run":
             for start in range(begin, end, 3):
                 found.append(new(TextElement, ("digits", line[start : start + 2], start, start + 2, gap, number)))
@@ -219,6 +214,16 @@ def elements_of(line: str, number: int = 0) -> tuple[list[TextElement], str]:
             found.append(new(TextElement, (kind, match[0], begin, end, gap, number)))
             gap = ""
     return found, gap + line[at:]
+
+
+def _plain_digits(line: str, number: int) -> list[TextElement]:
+    found: list[TextElement] = []
+    new, at = tuple.__new__, 0
+    for match in _DIGITS.finditer(line):
+        begin, end = match.span()
+        found.append(new(TextElement, ("digits", match[0], begin, end, line[at:begin], number)))
+        at = end
+    return found
 
 
 # Unknown elements: expressions and texts in the places of others
@@ -241,8 +246,7 @@ def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | N
     None if there are none but those of `elements_of`. `is_inside` tells that the line begins inside a list.
     """
     line = _CAST.sub(lambda cast: " " * len(cast[0]), line)
-    opening = _OPENING.search(line)
-    is_inside = is_inside or _FIRST.match(line) is not None
+    opening = _FIRST.match(line) or _OPENING.search(line)
     start = 0 if is_inside else len(line) if opening is None else opening.start()
     if _IDENTIFIER.search(line, start) is None:
         return None
@@ -255,8 +259,7 @@ def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | N
             parts += (line[at:begin], EXPRESSION * (end - begin))
             at, count = end, count + (not is_known)
     # A list of names has few bytes.
-    wide = "".join([*parts, line[at:]]) if count * 2 <= slots or count == 1 else line
-    wide = _TEXT_IN_CALL.sub(TEXT, wide)
+    wide = _TEXT_IN_CALL.sub(TEXT, "".join([*parts, line[at:]]) if count * 2 <= max(slots, 2) else line)
     return None if wide == line else [_named(one, line) for one in elements_of(wide, number)[0]]
 
 

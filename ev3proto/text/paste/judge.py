@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import NamedTuple
 
@@ -56,38 +56,50 @@ def _read(run: Run, base: str) -> Reading:
     widths = {*run.widths}
     is_decimal = base == "decimal" and any(widths)
     is_trusted = 1 not in widths and not run.is_mixed and (not is_decimal or widths == {3})
-    parts = []
-    for part in run.parts(base):
-        if part.last < len(run.elements) and run.elements[part.last].kind == "cut" and _goes_on(part.data):
-            continue  # the frame goes on where the text was cut: what looks like one in it is not
-        frames = frames_in(part.data, partial(run.edges, part), is_trusted=is_trusted)
-        if len(part.offsets) <= len(run.elements) and run.is_torn(part):
-            frames = [one for one in frames if is_sure(part.data[one.start : one.end])]
-        if base in UNLIKELY or is_decimal or 1 in widths:
-            frames = [one for one in frames if one.is_natural]
-        if base in UNLIKELY or run.is_guess:
-            is_all = part.last == len(run.elements) and [one[:2] for one in frames] == [(0, len(part.data))]
-            frames = [one for one in frames if _is_likely(part.data[one.start : one.end], run, base, is_all=is_all)]
-        if frames:
-            parts.append((part, frames))
+    is_doubtful = base in UNLIKELY or is_decimal or 1 in widths
+    found = ((part, _frames(run, base, part, is_trusted, is_doubtful)) for part in run.parts(base))
+    parts = [(part, frames) for part, frames in found if frames]
     return Reading(_worth(run, parts), run, base, parts)
+
+
+def _frames(run: Run, base: str, part: Part, is_trusted: bool, is_doubtful: bool) -> list[FrameSpan]:
+    """Returns the frames in a part of a run that are hardly ones by chance."""
+    if run.is_cut(part) and _goes_on(part.data):
+        return []  # the frame goes on where the text was cut: what looks like one in it is not
+    frames = frames_in(part.data, partial(run.edges, part), is_trusted=is_trusted)
+    if is_doubtful:
+        frames = [one for one in frames if one.is_natural]
+    if run.is_torn(part):
+        frames = _those(frames, part, is_sure)
+    if base in UNLIKELY or run.is_guess:
+        is_all = part.last == len(run.elements) and [one[:2] for one in frames] == [(0, len(part.data))]
+        frames = _those(frames, part, lambda frame: _is_likely(frame, run, base, is_all=is_all))
+    return frames
 
 
 def _goes_on(data: bytes) -> bool:
     return len(data) >= LEAST and may_start(data) and frame_size(data) > len(data)
 
 
+def _those(frames: list[FrameSpan], part: Part, test: Callable[[bytes], bool]) -> list[FrameSpan]:
+    return [one for one in frames if test(part.data[one.start : one.end])]
+
+
 def _is_likely(frame: bytes, run: Run, base: str, *, is_all: bool) -> bool:
     """Returns whether a frame is hardly one by chance, in elements that may be anything."""
     if run.is_guess and run.has_unknown:
-        # Its operations can't be read where an opcode is unknown: its length decides.
-        known = [one.kind != "unknown" for one in run.elements]
-        is_header = all(known[:LENGTH_FIELD] + known[HEADER_SIZE - 1 : HEADER_SIZE])
-        is_likely = sum(known) * 2 > len(known) and known[:LENGTH_FIELD] != [True, False] and is_command(frame)
-        return is_likely and (is_sure(frame) or (is_all and is_header))
+        return is_command(frame) and _is_known(frame, run, is_all=is_all)
     if (is_all or not run.is_guess) and base != "base64":
         return is_flawless(frame)
     return is_sure(frame) and (is_all or is_command(frame))
+
+
+def _is_known(frame: bytes, run: Run, *, is_all: bool) -> bool:
+    """Returns whether enough is known; where an opcode is not, the operations can't be read: the length decides."""
+    known = [one.kind != "unknown" for one in run.elements]
+    if sum(known) * 2 <= len(known) or known[:LENGTH_FIELD] == [True, False]:
+        return False
+    return is_sure(frame) or (is_all and all(known[:LENGTH_FIELD] + known[HEADER_SIZE - 1 : HEADER_SIZE]))
 
 
 def _worth(run: Run, parts: list[tuple[Part, list[FrameSpan]]]) -> Worth:

@@ -29,6 +29,10 @@ from ev3proto.text.paste.runs import AROUND, Part, Row, Run
 from ev3proto.text.paste.strangers import strange_bytes, written
 
 _MOST_STARTS = 8
+_LISTS = re.compile(r"^$|[\[{(]$|<<$")
+"""What is in front of a list of bytes."""
+_MOST_LOW = 0x7F
+"""Lists of numbers that are all this low are often something else."""
 _OF_NUMPY = 3
 """Numbers that numpy shows of a long array, at each end."""
 _MOST_BEFORE = 400
@@ -59,6 +63,11 @@ class Near(NamedTuple):
     notes: tuple[str, ...] = ()
     slip: SlipPlace | None = None
 
+    @property
+    def is_stopped(self) -> bool:
+        """Whether they break off at a slip or an ellipsis."""
+        return self.cut or self.problem is not None
+
     def stopped(self, line: int, column: int, reason: str, first: int) -> Near:
         """Returns it with a slip behind it, in a line and at a column from 0; rows begin with a line."""
         where = f"line {line - first + 1}, " if line > first else ""
@@ -76,18 +85,13 @@ def _wrong(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes that are a frame but for their header, or of which the end is missing."""
     parts = ((run, base, part) for run in runs for base in run.bases for part in run.parts(base))
     for run, base, part in parts:
-        is_decimal = base in ("bits", "octal", "words") or (base == "decimal" and any(run.widths))
+        is_decimal = base in ("bits", "octal", "words", "decimal") and any(run.widths)
         for start, end in islice(run.between_breaks(part), _MOST_STARTS):
-            end = len(part.data) if _is_cut(run, part) else end
+            end = len(part.data) if run.is_cut(part) else end
             data = part.data[start:end]
-            if len(data) < LOOKS or _is_digest(part, data):
-                continue
-            if identify(data, is_doubtful=is_decimal, missing=False).is_meant:
+            is_possible = len(data) >= LOOKS and not _is_digest(part, data)
+            if is_possible and identify(data, is_doubtful=is_decimal, missing=False).is_meant:
                 yield _with_stop(Near(data, run, part, start, end), base, rows)
-
-
-def _is_cut(run: Run, part: Part) -> bool:
-    return part.last < len(run.elements) and run.elements[part.last].kind == "cut"
 
 
 def _is_digest(part: Part, data: bytes) -> bool:
@@ -114,7 +118,7 @@ def _begun(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
 def _begun_in(run: Run, base: str, part: Part, rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes in a part of a run that break off."""
     for start, end in islice(run.between_breaks(part), _MOST_STARTS):
-        end = len(part.data) if _is_cut(run, part) else end
+        end = len(part.data) if run.is_cut(part) else end
         data, (first, _) = part.data[start:end], run.span(part, start, end)
         is_first = first.line == rows[0].number
         before = rows[0].line[max(0, first.start - _MOST_BEFORE) : first.start] if is_first else ""
@@ -138,21 +142,25 @@ def _parts(run: Run, base: str) -> Iterator[Part]:
 
 def _is_meant(found: Near, before: str) -> bool:
     """Returns whether bytes in front of a slip or an end were meant as a frame."""
-    data, is_lesson = found.data, before.endswith(("0x|", "0X|"))
-    if is_prose(data) and not is_lesson:
+    is_lesson = before.endswith(("0x|", "0X|"))
+    if is_prose(found.data) and not is_lesson:
         return False
-    if found.cut and _is_proved(found, before):
-        return True
-    is_stopped = found.cut or found.problem is not None
-    is_cut = found.cut and len(data) >= LOOKS and may_start(data)  # the text says itself that more follows
-    is_begun = may_begin(data) or is_cut or (found.problem is not None and frame_end(data) == len(data))
-    is_counted = bool({1, 3} & {*found.run.widths[found.part.first : found.part.last]})
+    widths = {*found.run.widths[found.part.first : found.part.last]}
     is_open = before.rstrip().endswith(("[", "{", "("))
-    is_any = is_counted and not (is_cut and is_open) and data[LEAST - 1 :] < b"\x80"
-    if len(data) >= (2 if is_lesson else LEAST) and is_begun and not is_any:
+    is_counted = bool({1, 3} & widths)
+    if _is_proved(found, before) or _is_begun(found, is_open, is_counted, is_lesson):
         return True
-    is_listed = len(data) > 1 and (not is_counted or is_open)
-    return is_stopped and (is_lesson or is_listed) and is_head(before) and head_of(before).direction is not None
+    is_listed = is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
+    return found.is_stopped and is_listed and is_head(before) and head_of(before).direction is not None
+
+
+def _is_begun(found: Near, is_open: bool, is_counted: bool, is_lesson: bool) -> bool:
+    """Returns whether bytes are the start of a frame; numbers of one or three digits may be any."""
+    data = found.data
+    is_cut = found.cut and len(data) >= LOOKS and may_start(data)  # the text says itself that more follows
+    is_any = is_counted and not (is_cut and is_open) and data[LEAST - 1 :] < b"\x80"
+    is_whole = found.problem is not None and frame_end(data) == len(data)
+    return len(data) >= (LEAST, 2)[is_lesson] and not is_any and (is_cut or is_whole or may_begin(data))
 
 
 _LEFT_OUT = re.compile(r"\D+(\d+) ")
@@ -161,7 +169,7 @@ _NUMPY = re.compile(r"\barray\(|\buint8\b")
 
 def _is_proved(found: Near, before: str) -> bool:
     """Returns whether a mark says how many bytes are left out, and these are missing; or numpy shows three numbers."""
-    rest = found.run.elements[found.part.last :]
+    rest = found.run.elements[found.part.last :] if found.cut else []
     left_out = _LEFT_OUT.match(rest[0].text) if rest else None
     if left_out is not None:
         return len(found.data) >= LENGTH_FIELD and frame_size(found.data) == len(found.data) + int(left_out[1])
@@ -176,19 +184,30 @@ def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     _, last = found.run.span(part, found.start, found.end)
     if BYTES[base][last.text] is None:
         return _at(found, last, top)
-    place = part.first + bisect_left(part.offsets, found.end)
-    follows = elements[place] if place < len(elements) else None
-    line = next(row.line for row in rows if row.number == last.line)
     if len(found.data) > 1 and frame_size(found.data) <= len(found.data):
         return found
-    if follows is not None and follows.kind == "cut":
-        is_half = len(last.text) == 1 and place > 1 and len(elements[place - 2].text) == 2
-        found = found._replace(data=found.data[:-1], end=found.end - 1) if is_half else found
-        return found._replace(cut=True, notes=tuple(note for who, note in _WHO_CUTS if who.search(line)))
-    if follows is not None and found.end == len(part.data) and BYTES[base][follows.text] is None:
+    place = part.first + bisect_left(part.offsets, found.end)
+    line = next(row.line for row in rows if row.number == last.line)
+    follows = elements[place] if place < len(elements) else last._replace(start=len(line))
+    if follows.kind == "cut":
+        return _cut(found, last, elements[: place - 1], line)
+    if found.end == len(part.data) and BYTES[base][follows.text] is None:
         return _at(found._replace(data=found.data + _partial(follows)[0]), follows, top)
     word = _WORD.match(line, last.end)
-    if word is None or not _is_slip(word[1], last.text) or (follows is not None and follows.start <= word.start(1)):
+    return found if word is None or word.start(1) >= follows.start else _at_word(found, last, word, top)
+
+
+def _cut(found: Near, last: TextElement, before: Sequence[TextElement], line: str) -> Near:
+    """Returns bytes with an ellipsis behind them; half a byte in front of it is left out."""
+    if len(last.text) == 1 and before and len(before[-1].text) == 2:
+        found = found._replace(data=found.data[:-1], end=found.end - 1)
+    return found._replace(cut=True, notes=tuple(note for who, note in _WHO_CUTS if who.search(line)))
+
+
+def _at_word(found: Near, last: TextElement, word: re.Match[str], top: int) -> Near:
+    """Returns bytes with a word behind them that was meant as an element like the last one."""
+    is_slip = len(word[1]) == len(last.text) or word[1][:2] in ("0x", "\\x")
+    if not is_slip or BYTES["hex"][word[1]] is not None:
         return found
     return found.stopped(last.line, word.start(1), not_a_byte(word[1], is_hex=last.kind == "digits"), top)
 
@@ -197,11 +216,6 @@ def _at(found: Near, element: TextElement, top: int) -> Near:
     """Returns bytes that end in an element with a slip, or cut there."""
     _, column, reason = _partial(element)
     return found._replace(cut=True) if not reason else found.stopped(element.line, column, reason, top)
-
-
-def _is_slip(word: str, value: str) -> bool:
-    """Returns whether a word was meant as an element like the one in front of it."""
-    return (len(word) == len(value) or word[:2] in ("0x", "\\x")) and BYTES["hex"][word] is None
 
 
 def _partial(element: TextElement) -> tuple[bytes, int, str]:
@@ -231,29 +245,35 @@ def told(row: Row) -> str | None:
     """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
     run = row.runs[-1]
     part = next((part for base in run.bases[:2] for part in run.parts(base)), None)
-    if part is None or part.last < len(run.elements) or part.first or row.after.strip(AROUND):
+    is_all = part is not None and part.last - part.first == len(run.elements) and not row.after.strip(AROUND)
+    if part is None or not is_all or not _is_data(row, run, part.data):
         return None
-    first, data = run.elements[0], part.data
-    before = row.line[: first.start].rstrip().removesuffix("(byte)").rstrip()
-    # Low numbers are often something else.
-    is_listed = max(data) > 0x7F and (not before or before.endswith(("[", "{", "(", "<<")))
-    if not is_listed and not _is_data(row, run):
-        return None
-    is_dull = (first.kind == "string" and max(data) <= 0x7F) or (len(run.elements) > 1 and len({*data}) < LEAST - 1)
-    return strange_bytes(data) or (None if is_dull or _is_digest(part, data) else bare_reason(data))
+    return strange_bytes(part.data) or (None if _is_dull(run, part) else bare_reason(part.data))
 
 
-def _is_data(row: Row, run: Run) -> bool:
-    """Returns whether the elements of a line were meant as bytes: nothing or a direction introduces them."""
+def _is_dull(run: Run, part: Part) -> bool:
+    """Returns whether bytes are a text, a digest, or too much alike for operations."""
+    is_text = run.elements[0].kind == "string" and max(part.data) <= _MOST_LOW
+    return is_text or (len(run.elements) > 1 and len({*part.data}) < LEAST - 1) or _is_digest(part, part.data)
+
+
+def _is_data(row: Row, run: Run, data: bytes) -> bool:
+    """Returns whether the elements of a line were meant as bytes: nothing, a list or a direction introduces them."""
     first = run.elements[0]
     before = row.line[: first.start]
-    is_counted = {*run.widths} != {2} and all(one.text.isdecimal() for one in run.elements)
+    plain = before.rstrip().removesuffix("(byte)").rstrip()
+    if max(data) > _MOST_LOW and _LISTS.search(plain):
+        return True
     # Operations by their names are assembly, if they are not joined.
     is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
-    if 1 in run.widths or is_counted or is_assembly:
+    if is_assembly or 1 in run.widths or ({*run.widths} != {2} and "".join(_texts(run)).isdecimal()):
         return False
     is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
     return is_alone or head_of(before).direction is not None
+
+
+def _texts(run: Run) -> Iterator[str]:
+    return (one.text for one in run.elements)
 
 
 def not_a_byte(word: str, *, is_hex: bool = True) -> str:
@@ -290,7 +310,6 @@ _NO_DIGIT = re.compile(r"(?!^0[xX])(?<!^0)[^0-9a-fA-F]")
 def as_given(line: str) -> Pasted:
     """Returns the bytes of a line that has no frame, but is known to be meant as bytes, however few."""
     row = Row(clean(line), 1)
-    shown = short(line, MAX_TEXT)
     run = Run(row.elements)
     for base in run.bases[:2]:
         for part in islice(_parts(run, base), 1):
@@ -298,13 +317,19 @@ def as_given(line: str) -> Pasted:
             if part.first or (before.strip(AROUND + "x0b") and not is_head(before)):
                 continue
             found = _with_stop(Near(part.data, run, part, 0, len(part.data)), base, [row])
-            return Pasted(found.data, 1, shown, cut=found.cut, problem=found.problem, slip=found.slip)
+            return Pasted(found.data, 1, short(line, MAX_TEXT), cut=found.cut, problem=found.problem, slip=found.slip)
     if not line.strip():
         return Pasted(b"", 1, "", problem="it is empty")
+    column, reason = _unread(row, line)
+    problem, slip = f"column {column + 1}: {reason}", SlipPlace(1, column + 1)
+    return Pasted(b"", 1, short(line, MAX_TEXT), problem=problem, slip=slip)
+
+
+def _unread(row: Row, line: str) -> tuple[int, str]:
+    """Returns the column of what cannot be read in a line, from 0, and what is wrong with it."""
     word = line.split()[0].rstrip("\"'`)]}>;,")
-    column, reason = 0, f"{short(word)!r} is not hex" if word.strip("-") else "it contains no readable bytes"
     if row.elements and row.is_bare:
-        _, column, reason = _partial(row.elements[0])
-    elif len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
-        column, reason = strange.start(), f"{strange[0]!r} is not a hex digit"
-    return Pasted(b"", 1, shown, problem=f"column {column + 1}: {reason}", slip=SlipPlace(1, column + 1))
+        return _partial(row.elements[0])[1:]
+    if len(word) > MOST_SHORT and (strange := _NO_DIGIT.search(word)):
+        return strange.start(), f"{strange[0]!r} is not a hex digit"
+    return 0, f"{short(word)!r} is not hex" if word.strip("-") else "it contains no readable bytes"

@@ -84,29 +84,27 @@ class Block:
         return is_full and not was_full
 
     @property
+    def is_shown(self) -> bool:
+        """Whether nothing in it is left to show."""
+        return self.shown == len(self.rows)
+
+    @property
+    def is_too_long(self) -> bool:
+        """Whether a frame has more text than is collected."""
+        return self.size > MAX_COLLECTED and is_whole(self.data)
+
+    @property
     def waits(self) -> bool:
         """Whether something in it was not shown yet; a list or a comment that is open is not complete in any case."""
-        return self.shown < len(self.rows) and not self.in_comment and not self.rows[-1].is_open
+        return not self.is_shown and not self.in_comment and not self.rows[-1].is_open
 
     def take(self, line: str, number: int) -> bool:
         """Adds a line. Returns whether it belongs to the block."""
-        text = clean(line)
-        if self.in_comment:
-            end = text.find("*/") + 2
-            text = " " * end + text[end:] if end > 1 else ""
-            self.in_comment = end < 2
+        text = self._uncommented(clean(line))
         last, first = self.rows[-1], self.rows[0]
-        row = Row(text, number, is_inside=last.is_open)
-        if row.wide is not None and (
-            (not row.elements and (not last.is_open or row.wide.front(0) == last.front(0)))
-            or (len(row.elements) == 1 and len(row.wide.elements) > 1 and _ASSIGNED.match(text))
-            or any(one.kind == "string" for one in row.wide.elements)
-        ):
-            row = row.wide
+        row = self._row(text, number)
         if not row.elements:
-            self.empty += 1
-            is_empty = not row.after.strip() and (self.empty <= _MOST_EMPTY or last.is_open)
-            return self.in_comment or is_empty or (last.is_open and text.lstrip()[:1] in ("#", "*", ";"))
+            return self._takes_empty(row)
         data = _data_of(row, first, self.places[0])
         is_other = first.is_offset and len(row.elements[0].text) != len(first.elements[0].text)
         if is_other or not row.follows(last, self.places) or self._begins_anew(row, data):
@@ -117,6 +115,31 @@ class Block:
             self.rows.append(row)
         self.empty, self.in_comment = 0, _is_open_comment(text)
         return True
+
+    def _takes_empty(self, row: Row) -> bool:
+        """Returns whether a line without elements belongs to the block."""
+        self.empty += 1
+        is_open = self.rows[-1].is_open
+        is_empty = not row.after.strip() and (self.empty <= _MOST_EMPTY or is_open)
+        return self.in_comment or is_empty or (is_open and row.line.lstrip()[:1] in ("#", "*", ";"))
+
+    def _uncommented(self, text: str) -> str:
+        """Returns a line without the rest of the comment that it begins in."""
+        if self.in_comment:
+            end = text.find("*/") + 2
+            text, self.in_comment = " " * end + text[end:] if end > 1 else "", end < 2
+        return text
+
+    def _row(self, text: str, number: int) -> Row:
+        """Returns a row; with expressions, where it has something else in the places of bytes."""
+        last = self.rows[-1]
+        row = Row(text, number, is_inside=last.is_open)
+        wide = row.wide
+        if wide is None:
+            return row
+        is_name = not row.elements and (not last.is_open or wide.front(0) == last.front(0))
+        is_assigned = len(row.elements) == 1 < len(wide.elements) and _ASSIGNED.match(text) is not None
+        return wide if is_name or is_assigned or any(one.kind == "string" for one in wide.elements) else row
 
     def _begins_anew(self, row: Row, data: bytes) -> bool:
         """Returns whether a row is a frame by itself, right or wrong, that the rows so far do not need."""
@@ -179,14 +202,16 @@ class Reader:
         if len(line) > MAX_LINE:
             yield from self._close()
             yield _said(number, line, f"the line has more than {MAX_LINE} characters and was not read")
-            return
-        if block is not None and line.strip() == "*" and block.rows[0].is_offset:
+        elif block is not None and line.strip() == "*" and block.rows[0].is_offset:
             yield from self._left_out(block, number)
-            return
-        if block is not None and block.take(line, number):
+        elif block is not None and block.take(line, number):
             yield from self._show(block)
-            return
-        yield from self._close()
+        else:
+            yield from self._close()
+            yield from self._begin(line, number)
+
+    def _begin(self, line: str, number: int) -> Iterator[Pasted]:
+        """Yields what is in a line that does not belong to those above it; it may begin a block."""
         is_again = _AGAIN.match(line) is not None and (self._has_frame or line.lstrip()[:1] == "+")
         is_long = len(line) > _SHORT and self._ended is None  # bytes that are too many may be any
         if is_again or (is_long and not _may_have_bytes(line)):
@@ -231,26 +256,22 @@ class Reader:
     def _close(self) -> Iterator[Pasted]:
         """Yields what the lines of the block have that was not shown yet."""
         block, self._block = self._block, None
-        if block is None or block.shown == len(block.rows):
+        if block is None or block.is_shown:
             return
         rows, above = block.rows[block.shown :], block.above
-        if block.size > MAX_COLLECTED and is_whole(block.data):
+        if block.is_too_long:
             problem = f"the bytes that start here have more than {MAX_COLLECTED // 1024} KiB of text"
             yield _said(rows[0].number, rows[0].line, problem)
             return
-        found = _together(rows, block.places) if len(rows) > 1 else None
-        if found is None and len(rows) > LEAST and rows[0].after != rows[1].after and (places := openings(rows[1])):
-            # The first row may be a heading with a number in it.
-            found = _together(rows[1:], places)
-            yield from self._line(rows.pop(0), None, above) if found is not None else ()
+        found = _together(rows, block.places)
+        if found is None and (found := _below_heading(rows)) is not None:
+            yield from self._line(rows.pop(0), None, above)
         if found is not None:
             yield from self._emit(rows, *found, above)
-        elif len(rows) > 1 and (said := spelt(of_rows(rows, block.places))) is not None:
+        elif (said := _spelt_in(rows, block.places)) is not None:
             self._strange = self._strange or _said(rows[0].number, rows[0].line, said)
         elif block.shown:
-            rest = block.rest()
-            if any(one.text.strip("0x") for one in rest):
-                yield _follows(rest)
+            yield from _rest_of(block)
         else:
             for row in rows:
                 yield from self._line(row, best(row.of_line()), above)
@@ -262,16 +283,21 @@ class Reader:
         mended = None if is_fine or _is_flawless(reading) else repaired(row)
         if mended is not None:
             yield self._mended(row, mended, above)
+        elif reading is not None:
+            yield from self._emit([row], reading, None, above)
+        else:
+            yield from self._unread(row, ended, above)
+
+    def _unread(self, row: Row, ended: tuple[Reading, list[Row]] | None, above: Head) -> Iterator[Pasted]:
+        """Yields what was meant as a frame in a line without one, or belongs to the frame that ended above."""
+        said = spelt(row.of_line()) if _SPELT.search(row.line) else None
+        one = near(row.of_line(), [row]) if said is None else None
+        if one is None and ended is not None and (rest := _below(row, *ended)) is not None:
+            yield rest
             return
-        said = spelt(row.of_line()) if reading is None and _SPELT.search(row.line) else None
-        one = near(row.of_line(), [row]) if reading is None and said is None else None
-        if reading is None and one is None:
-            if ended is not None and (rest := _below(row, *ended)) is not None:
-                yield rest
-                return
-            if row.elements and self._strange is None and (said := said or told(row)) is not None:
-                self._strange = _said(row.number, row.line, said)
-        yield from self._emit([row], reading, one, above)
+        if one is None and row.elements and self._strange is None and (said := said or told(row)) is not None:
+            self._strange = _said(row.number, row.line, said)
+        yield from self._emit([row], None, one, above)
 
     def _mended(self, row: Row, mended: Repaired, above: Head) -> Pasted:
         """Returns the frame of a line that something happened to: it is read with a note, or only told."""
@@ -297,7 +323,7 @@ class Reader:
         if one is not None:
             check_sum = self._check_sum()
             is_sum = bool(check_sum) and one.data.endswith(check_sum) and one.problem is None
-            data = one.data[:-1] if is_sum else one.data
+            data = one.data[: len(one.data) - is_sum]
             piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above)
             found = [piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=data)]
         yield from _once(found) if len(rows) == 1 < len(found) else found
@@ -395,19 +421,34 @@ def _is_sound(reading: Reading) -> bool:
     return fault is None or not fault.truncated
 
 
+def _below_heading(rows: list[Row]) -> tuple[Reading | None, Near | None] | None:
+    """Returns what the rows below the first have together, which may be a heading with a number in it."""
+    is_heading = len(rows) > LEAST and rows[0].after != rows[1].after
+    places = openings(rows[1]) if is_heading else []
+    return _together(rows[1:], places) if places else None
+
+
 def _together(rows: list[Row], places: list[int]) -> tuple[Reading | None, Near | None] | None:
     """Returns the frames of several rows, or what was meant as one; None if each row is to be read by itself."""
-    reading = best(of_rows(rows, places))
+    reading = best(of_rows(rows, places)) if len(rows) > 1 else None
     if reading is not None and (reading.worth.is_whole or _spans_rows(reading, rows)):
         return reading, None
-    are_one = rows[0].is_offset or rows[0].is_open or len({len(row.elements) for row in rows[:-1]}) == 1
-    one = near(of_rows(rows, places), rows) if are_one else None
-    if one is None or rows[0].is_offset:
-        return None if one is None else (None, one)
+    one = near(of_rows(rows, places), rows) if len(rows) > 1 and _are_one(rows) else None
+    return None if one is None or (not rows[0].is_offset and _is_each(rows, one)) else (None, one)
+
+
+def _are_one(rows: list[Row]) -> bool:
+    """Returns whether rows are a dump, a list, or all as long."""
+    return rows[0].is_offset or rows[0].is_open or len({len(row.elements) for row in rows[:-1]}) == 1
+
+
+def _is_each(rows: list[Row], one: Near) -> bool:
+    """Returns whether what was meant as a frame is one row, or some rows are frames by themselves."""
     first, last = one.run.span(one.part, one.start, one.end)
-    is_row = first.line == last.line and one.problem is None and not one.cut
+    if first.line == last.line and not one.is_stopped:
+        return True
     readings = (best(row.of_line()) for row in rows)
-    return None if is_row or any(one is not None and one.worth.natural for one in readings) else (None, one)
+    return any(reading is not None and reading.worth.natural for reading in readings)
 
 
 def _spans_rows(reading: Reading, rows: list[Row]) -> bool:
@@ -428,21 +469,28 @@ def _extents(
     What follows a frame up to an edge or the next frame belongs to it: it is left over from a report, or too much.
     """
     data, at = part.data, 0
-    breaks = part.inside(reading.run.breaks) if data[frames[-1].end :].strip(b"\0") or len(frames) > 1 else []
     for number, frame in enumerate(frames):
-        is_last = number + 1 == len(frames)
         if _is_meant(data[at : frame.start]):
             yield at, frame.start
-        follows = len(data) if is_last else frames[number + 1].start
+        follows = len(data) if number + 1 == len(frames) else frames[number + 1].start
         at = frame.end
-        if frame.is_natural and not _is_meant(data[at:follows]):
-            is_rest = at < follows == len(data) and _is_rest(reading, part, at, lines)
-            place = bisect_left(breaks, at)
-            at = follows if is_rest else min([*breaks[place : place + 1], follows])
-            is_padding = reading.base == "words" and not any(data[frame.end : at])
+        if frame.is_natural and data[at:follows] and not _is_meant(data[at:follows]):
+            at = _end_of_rest(reading, part, at, follows, lines)
             is_sum = data[frame.end : at] == check_sum or is_carried(data, frame.start, frame.end)
-            at = frame.end if is_padding or is_sum or frame.end in part.inside(reading.run.rows) else at
+            at = frame.end if is_sum or frame.end in part.inside(reading.run.rows) else at
         yield frame.start, at
+
+
+def _end_of_rest(reading: Reading, part: Part, at: int, follows: int, lines: dict[int, str]) -> int:
+    """Returns where the bytes end that belong to the frame in front of them: at an edge, but for padding."""
+    data, run = part.data, reading.run
+    if not any(data[at:follows]) and (follows == len(data) or reading.base == "words"):
+        return at if reading.base == "words" else follows
+    if follows == len(data) and _is_rest(reading, part, at, lines):
+        return follows
+    place = bisect_left(run.breaks, part.first + bisect_left(part.offsets, at))
+    ends = (part.offsets[place - part.first] for place in run.breaks[place : place + 1] if place < part.last)
+    return min([*ends, follows])
 
 
 _BESIDE = re.compile(r"[ \t]|,[ \t]?")
@@ -466,6 +514,17 @@ def _follows(elements: Sequence[TextElement]) -> Pasted:
     shown = " ".join(one.text for one in elements[:_MOST_SHOWN])
     problem = f"{follow} the frame that ends in line {elements[0].line - 1}: {short(shown)}"
     return _said(elements[0].line, shown, problem)
+
+
+def _spelt_in(rows: list[Row], places: list[int]) -> str | None:
+    return spelt(of_rows(rows, places)) if len(rows) > 1 else None
+
+
+def _rest_of(block: Block) -> Iterator[Pasted]:
+    """Yields what is said of the rows below the frame that was shown, but for zeros."""
+    rest = block.rest()
+    if any(one.text.strip("0x") for one in rest):
+        yield _follows(rest)
 
 
 def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:

@@ -51,6 +51,11 @@ def shape(gap: str) -> str:
     return re.sub(r"[:|+]", "", plain) + " " * (" " * _COLUMN in gap)
 
 
+def _length(element: TextElement) -> int:
+    """Returns the digits of an element; 0 for what says itself what it is, but for a literal of many bytes."""
+    return len(element.text) if element.kind == "digits" or _LITERAL.match(element.text) else 0
+
+
 class Part(NamedTuple):
     """Consecutive elements of a run that have bytes in a base: the first's place, their bytes, where each begins."""
 
@@ -97,18 +102,24 @@ class Run:
     def breaks(self) -> list[int]:
         """The places of the elements in front of which something changes: the usual gap, or how they are written."""
         shapes = [shape(one.gap) for one in self.elements]
-        strings = [one.kind == "string" for one in self.elements]
-        usual, count = Counter(shapes[1:]).most_common(1)[0] if len(shapes) > 1 else ("", 0)
-        if count == 1 and (len(shapes) > 2 or any(strings) or len(usual) > 1):
-            usual = ""
-        lengths = [len(one.text) if one.kind == "digits" or _LITERAL.match(one.text) else 0 for one in self.elements]
-        is_uniform = not any(strings) and (max(lengths) < 4 or (max(lengths) < 2 * LEAST and len({*lengths}) == 1))
+        usual = self._usual(shapes)
+        lengths = [*map(_length, self.elements)]
+        most, is_any_string = max(lengths), any(one.kind == "string" for one in self.elements)
+        is_uniform = not is_any_string and (most < _WIDE or (most < 2 * LEAST and len({*lengths}) == 1))
         return [
             place
             for place in range(1, len(shapes))
             if (shapes[place] != usual or not (is_uniform or self._is_like(place, *lengths[place - 1 : place + 1])))
             and not has_place(self.rows, place)
         ]
+
+    def _usual(self, shapes: list[str]) -> str:
+        """Returns the usual gap; one that is there only once hardly is."""
+        if len(shapes) < 2:
+            return ""
+        usual, count = Counter(shapes[1:]).most_common(1)[0]
+        is_two = len(shapes) == 2 and len(usual) < 2 and all(one.kind != "string" for one in self.elements)
+        return usual if count > 1 or is_two else ""
 
     def _is_like(self, place: int, last: int, length: int) -> bool:
         """Returns whether an element may be of one kind with the one in front of it: no string, offset, or literal."""
@@ -127,10 +138,7 @@ class Run:
             values = found[before + 1 : end]
             data = b"".join(values)  # type: ignore[arg-type]
             if self.has_unknown and data:
-                unknown = [unknown_bytes(one) for one in self.elements[before + 1 : end]]
-                if unknown[0][:1] == [True] and len(data) > LENGTH_FIELD:
-                    data = with_length(data[LENGTH_FIELD:])  # an unknown length is the one that fits
-                data = b"" if all(all(one) and one for one in unknown) else data
+                data = _of_unknown(data, [unknown_bytes(one) for one in self.elements[before + 1 : end]])
             if data:
                 yield Part(before + 1, data, [0, *accumulate(map(len, values))])  # type: ignore[arg-type]
 
@@ -139,6 +147,10 @@ class Run:
         before, after = part.first - 1, part.last
         is_torn = before >= 0 and self.widths[before] > 0 and not has_place(self.breaks, part.first)
         return is_torn or (after < len(self.widths) and self.widths[after] > 0 and not has_place(self.breaks, after))
+
+    def is_cut(self, part: Part) -> bool:
+        """Returns whether the text says behind a part that more bytes existed."""
+        return part.last < len(self.elements) and self.elements[part.last].kind == "cut"
 
     def edges(self, part: Part) -> Edges:
         """Returns where frames may begin and end in a part."""
@@ -153,6 +165,14 @@ class Run:
         """Returns the first and the last element of some bytes."""
         first, last = bisect_right(part.offsets, start) - 1, bisect_left(part.offsets, end) - 1
         return self.elements[part.first + first], self.elements[part.first + last]
+
+
+def _of_unknown(data: bytes, unknown: list[list[bool]]) -> bytes:
+    """Returns bytes of which some are unknown, none if all are; an unknown length is the one that fits."""
+    if all(all(one) and one for one in unknown):
+        return b""
+    is_fitted = unknown[0][:1] == [True] and len(data) > LENGTH_FIELD
+    return with_length(data[LENGTH_FIELD:]) if is_fitted else data
 
 
 class _Digits(NamedTuple):
@@ -183,6 +203,14 @@ _BY_WIDTH = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
 """The digits that one element must have to be read in a base that any digits may have."""
 
 
+def _of_digits(digits: _Digits) -> tuple[str, ...]:
+    bases = next(bases for _, is_so, bases in _BY_DIGITS if is_so(digits))
+    if bases == ("bits",) and len(digits.texts) > 2:
+        return bases
+    most = max(digits.widths)
+    return (*bases, *(base for base, least in _BY_WIDTH if most >= least and base not in bases))
+
+
 def _bases(elements: Sequence[TextElement], kinds: set[str]) -> Sequence[str]:
     """Returns the bases that elements may have, the likeliest first; bare digits tell by their widths and zeros."""
     texts = [one.text for one in elements if one.kind == "digits"]
@@ -192,11 +220,7 @@ def _bases(elements: Sequence[TextElement], kinds: set[str]) -> Sequence[str]:
     if texts:
         are_all = len(texts) == len(elements)
         is_signed = not are_all and any(one.text[0] == "-" for one in elements)
-        digits = _Digits(texts, {*map(len, texts)}, are_all, is_signed)
-        bases = next(bases for _, is_so, bases in _BY_DIGITS if is_so(digits))
-        if bases != ("bits",) or len(texts) <= 2:
-            most = max(digits.widths)
-            bases = (*bases, *(base for base, least in _BY_WIDTH if most >= least and base not in bases))
+        bases = _of_digits(_Digits(texts, {*map(len, texts)}, are_all, is_signed))
     return (*bases, "unquoted") if "character" in kinds else bases
 
 
@@ -276,15 +300,24 @@ class Row:
         gaps = "".join(one.gap for one in self.elements)
         return sum(map(gaps.count, "([{")) > sum(map(gaps.count, ")]}"))
 
+    @property
+    def ends(self) -> list[int]:
+        """Where its elements end."""
+        return [one.end for one in self.elements]
+
+    @property
+    def widths(self) -> set[int]:
+        """The digits of its bare elements."""
+        return {len(one.text) for one in self.elements if one.kind == "digits"}
+
     def follows(self, last: Row, places: Sequence[int]) -> bool:
         """Whether the row is written as the one in front of it, or goes on with a list that this one does not end."""
         if self.is_offset:
             return False
         if self.is_bare and (last.is_bare or last.is_open):
             # Where all elements have two digits, one that has one is no more of them.
-            widths, others = ({len(one.text) for one in row.elements if one.kind == "digits"} for row in (self, last))
-            return not (others == {2} and 1 in widths and len(last.elements) >= LEAST)
-        if len(self.elements) > 1 and [one.end for one in self.elements] == [one.end for one in last.elements]:
+            return not (last.widths == {2} and 1 in self.widths and len(last.elements) >= LEAST)
+        if len(self.elements) > 1 and self.ends == last.ends:
             return True  # columns, with a word in front of the first row
         fewest = min(len(self.elements), len(last.elements))
         return self.is_bare == last.is_bare and any(self.front(at) == last.front(at) for at in places if at < fewest)
@@ -293,19 +326,25 @@ class Row:
 def _without_text(line: str, elements: list[TextElement]) -> list[TextElement]:
     """Drops what is in the column of text: as many characters as there are bytes, each of them the byte's."""
     is_bits = len(elements) > 1 and len(elements[1].text) == 8 and not elements[1].text.strip("01")
-    table = BYTES["bits" if is_bits else "hex"]
     for first in (1, 0):
         data = bytearray()
         for place in range(first, min(len(elements), _MOST_IN_ROW)):
-            value = table[elements[place].text] if elements[place].kind in ("digits", "marked") else None
+            is_value = elements[place].kind in ("digits", "marked")
+            value = BYTES["bits" if is_bits else "hex"][elements[place].text] if is_value else None
             if value is None:
                 break
             data += value
-            rest = line[elements[place].end :]
-            is_apart = rest[:2].isspace() or rest[1:2] in ("|", ">", "(") or (place >= _COLUMN and "." in rest)
-            if rest[:1].isspace() and is_apart and _shows(rest.strip(), data):
+            if _is_column(line[elements[place].end :], data, place):
                 return elements[: place + 1]
     return elements
+
+
+def _is_column(rest: str, data: bytearray, place: int) -> bool:
+    """Returns whether the rest of a line is the column of text behind bytes."""
+    if not rest[:1].isspace():
+        return False
+    is_apart = rest[:2].isspace() or rest[1:2] in ("|", ">", "(") or (place >= _COLUMN and "." in rest)
+    return is_apart and _shows(rest.strip(), data)
 
 
 def _shows(text: str, data: bytearray) -> bool:
@@ -343,21 +382,22 @@ def openings(row: Row) -> list[int]:
         return [1]
     run = Run(row.elements)
     found = {place for place, one in enumerate(row.elements) if unknown_bytes(one)[:1] == [True]}
-    breaks = {0, *run.breaks}
     # The bytes go on to the end of the line: no words are among them.
     start = max((place for place, one in enumerate(row.elements) if place and _WORD.search(one.gap)), default=0)
-    for base in run.bases:
-        for part in run.parts(base):
-            found |= {
-                place
-                for place, at in zip(range(part.first, part.last), part.offsets, strict=False)
-                # The length of one that is whole may be too small, so that the next lines belong to it.
-                if may_begin(part.data, at) or ((not at or place in breaks) and is_whole(part.data, at))
-            }
-            if part.first in breaks and may_begin_wrong(part.data):
-                found.add(part.first)
+    parts = (part for base in run.bases for part in run.parts(base))
+    breaks = {0, *run.breaks}
+    found |= {place for part in parts for place in _openings_of(part, breaks)}
     end = len(row.elements) - (len(row.elements) > _FEW)
     return [place for place in sorted(found) if start <= place < max(end, 1)][:_MOST_PLACES]
+
+
+def _openings_of(part: Part, breaks: set[int]) -> Iterator[int]:
+    """Yields the places in a part where a frame may begin; one that is whole may have a length that is too small."""
+    if part.first in breaks and may_begin_wrong(part.data):
+        yield part.first
+    for place, at in zip(range(part.first, part.last), part.offsets, strict=False):
+        if may_begin(part.data, at) or ((not at or place in breaks) and is_whole(part.data, at)):
+            yield place
 
 
 def of_rows(rows: list[Row], places: list[int]) -> Iterator[Run]:
@@ -369,20 +409,36 @@ def of_rows(rows: list[Row], places: list[int]) -> Iterator[Run]:
 
 
 def _lined_up(rows: list[Row], places: list[int], *, is_guess: bool = False) -> Iterator[Run]:
-    first = rows[0]
-    fewest, most = (count(len(row.elements) for row in rows) for count in (min, max))
-    if 1 < fewest == most <= _FEW and len(rows) >= LEAST:
+    first, sizes = rows[0], {*map(len, (row.elements for row in rows))}
+    if len(sizes) == 1 and sizes <= {2, _FEW} and len(rows) >= LEAST:
         # Just one element of each may be a byte.
-        yield from (_joined([[row.elements[at]] for row in rows], is_guess=is_guess) for at in places if at < fewest)
-    is_plain = first.is_bare and not first.is_offset
-    # Among elements that are written alike, only what is surely a frame counts.
-    among = {at for at in places if at > 1} - {*Run(first.elements).breaks} if is_plain and most > _FEW else set()
-    # What carries a frame may be in front of it, written like it.
-    is_carried = places and is_plain and not any(one.gap.strip() for one in first.elements[1 : places[0] + 1])
-    for place in [0, *places] if is_carried and places[0] else places:
-        starts = [row.first(first, place) for row in rows]
-        some = [row.elements[start:] for row, start in zip(rows, starts, strict=True) if start is not None]
+        yield from (
+            _joined([[row.elements[at]] for row in rows], is_guess=is_guess) for at in places if at < min(sizes)
+        )
+    among = _among(first, places) if max(sizes) > _FEW else set()
+    for place in [0, *places] if _is_carried(first, places) else places:
+        some = [row.elements[start:] for row in rows if (start := row.first(first, place)) is not None]
         yield _joined(some, is_guess=is_guess or place != places[0] or place in among)
+
+
+def _each(rows: list[Row], places: list[int], *, is_guess: bool) -> Iterator[Run]:
+    """Yields runs of one element of each row: just that may be a byte."""
+    for at in places:
+        if at < len(rows[0].elements):
+            yield _joined([[row.elements[at]] for row in rows], is_guess=is_guess)
+
+
+def _among(first: Row, places: list[int]) -> set[int]:
+    """Returns the places among elements that are written alike, where only what is surely a frame counts."""
+    is_plain = first.is_bare and not first.is_offset
+    return {at for at in places if at > 1} - {*Run(first.elements).breaks} if is_plain else set()
+
+
+def _is_carried(first: Row, places: list[int]) -> bool:
+    """Returns whether what carries a frame may be in front of it, written like it."""
+    if not places or not places[0] or not first.is_bare or first.is_offset:
+        return False
+    return not any(one.gap.strip() for one in first.elements[1 : places[0] + 1])
 
 
 def _joined(rows: list[list[TextElement]], *, is_guess: bool = False) -> Run:

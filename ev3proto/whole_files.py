@@ -6,6 +6,7 @@ Files that are read while they grow, such as recordings, grow by whole pieces.
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 from collections.abc import Iterator
@@ -71,12 +72,18 @@ def write_whole(path: Path, data: bytes, *, is_private: bool = False) -> None:
 class GrowingFile:
     """A recording that grows from flush to flush: bytes written between two of them are all in the file or not at all.
 
-    Only its owner can read a new one.
+    Only its owner can read a new one. An existing one with contents is written over only with `force`, and not before
+    the first flush.
     """
 
-    def __init__(self, path: Path) -> None:
-        """Opens the file and truncates it. Raises OSError if it cannot be written."""
-        self._file = io.FileIO(path, "wb", opener=private)
+    def __init__(self, path: Path, *, force: bool = False) -> None:
+        """Opens the file. Raises OSError if it cannot be written, FileExistsError if it would be lost."""
+        is_file = path.is_file()
+        if is_file and path.stat().st_size and not force:
+            raise FileExistsError(errno.EEXIST, "it exists, and has contents (--force overwrites it)", str(path))
+        self._path, self._is_new, self._is_old = path, not path.exists(), is_file
+        # A new file is created exclusively; one that exists keeps its contents for now.
+        self._file = io.FileIO(path, "xb" if self._is_new else "ab" if is_file else "wb", opener=private)
         self._waiting: list[bytes] = []
         self._size = 0
 
@@ -88,6 +95,9 @@ class GrowingFile:
     def flush(self) -> None:
         """Writes the buffered bytes. Raises OSError; the file then has none of them, and the buffer is discarded."""
         data, self._waiting = b"".join(self._waiting), []
+        if data and self._is_old:
+            self._is_old = False
+            self._file.truncate(0)
         written = 0
         try:
             while written < len(data):
@@ -100,9 +110,12 @@ class GrowingFile:
         self._size += written
 
     def close(self) -> None:
-        """Writes the buffered bytes and closes the file."""
+        """Writes the buffered bytes, unless nothing was ever flushed, and closes the file."""
         if not self._file.closed:
             try:
-                self.flush()
+                if self._size:
+                    self.flush()
             finally:
                 self._file.close()
+                if self._is_new and not self._size:
+                    _remove(self._path)

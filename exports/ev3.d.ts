@@ -3475,8 +3475,8 @@ export declare const ops: {
      * @param HARDWARE carrier to use (a member of HWTYPE)
      * @param LENGTH buffer size for each of the three texts, including the zero (bytes; -1: unlimited (handles only))
      * @param NAME name of the network, NONE without one (as many bytes as LENGTH says)
-     * @param MAC MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)
-     * @param IP IP address of the brick, ?? when not connected (as many bytes as LENGTH says)
+     * @param MAC MAC address of the brick, ?? when WiFi is off (at most 17 characters; as many bytes as LENGTH says)
+     * @param IP IP address of the brick, ?? when not connected (at most 15 characters; as many bytes as LENGTH says)
      */
     GET_NETWORK(HARDWARE: Value, LENGTH: Value, NAME: Argument, MAC: Argument, IP: Argument): Uint8Array;
     /**

@@ -4128,10 +4128,10 @@ types:
       - {id: name, type: argument(false), doc: "name of the network, NONE without one (as many bytes as LENGTH says)"}
       - id: mac
         type: argument(false)
-        doc: "MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)"
+        doc: "MAC address of the brick, ?? when WiFi is off (at most 17 characters; as many bytes as LENGTH says)"
       - id: ip
         type: argument(false)
-        doc: "IP address of the brick, ?? when not connected (as many bytes as LENGTH says)"
+        doc: "IP address of the brick, ?? when not connected (at most 15 characters; as many bytes as LENGTH says)"
     instances:
       hardware_name: {value: hardware.value, enum: hwtype, if: hardware.is_number}
   op_com_get_get_present:

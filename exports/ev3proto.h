@@ -3860,8 +3860,10 @@ enum {
      *   LENGTH    DATA8       buffer size for each of the three texts, including the zero (bytes; -1: unlimited
      *       (handles only))
      *   NAME      out string  name of the network, NONE without one (as many bytes as LENGTH says)
-     *   MAC       out string  MAC address of the brick, ?? when WiFi is off (as many bytes as LENGTH says)
-     *   IP        out string  IP address of the brick, ?? when not connected (as many bytes as LENGTH says)
+     *   MAC       out string  MAC address of the brick, ?? when WiFi is off (at most 17 characters; as many bytes as
+     *       LENGTH says)
+     *   IP        out string  IP address of the brick, ?? when not connected (at most 15 characters; as many bytes
+     *       as LENGTH says)
      */
     GET_NETWORK = 14,
 

@@ -78,6 +78,7 @@ class BrickOptions:
     script: Path | None
     bare: bool
     record: Path | None
+    force: bool
     report: bool
     errors_only: bool
     as_json: bool
@@ -123,6 +124,7 @@ _options = gathered(
     script_option,
     bare_option,
     click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng)."),
+    click.option("--force", is_flag=True, help="Overwrite the file of --record, if it exists."),
     click.option(
         "--report",
         is_flag=True,

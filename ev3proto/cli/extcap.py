@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from contextlib import closing, suppress
 from dataclasses import replace
 from pathlib import Path
@@ -49,6 +50,8 @@ _FIFOS: list[BinaryIO] = []
 
 def _opened(fifo: Path) -> BinaryIO:
     """Opens the FIFO until this process ends: once it is closed, Wireshark shows no error message. Raises OSError."""
+    if fifo.is_file() and fifo.stat().st_size:
+        raise FileExistsError(errno.EEXIST, "it is a file with contents; expected a FIFO", str(fifo))
     stream = fifo.open("wb")
     _FIFOS.append(stream)
     return stream

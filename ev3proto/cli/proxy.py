@@ -5,7 +5,7 @@ from __future__ import annotations
 import ipaddress
 import sys
 from collections.abc import Iterator
-from contextlib import ExitStack, closing, contextmanager
+from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, cast
@@ -51,13 +51,13 @@ _LOOPBACK = "127.0.0.1"
     help="Serial number that the beacon announces, 12 hexadecimal digits; by default the brick's own.",
 )
 @click.option("--record", metavar="FILE", help="Record to this capture file (pcapng); - is standard output.")
+@click.option("--force", is_flag=True, help="Overwrite the file of --record, if it exists.")
 @click.option("--read-only", is_flag=True, help="Forward only commands that read.")
 @click.option(
     "--hide",
     is_flag=True,
-    help="Mask names, addresses and PINs in what is recorded and shown. This loses all values of commands with texts,"
-    " variables as inputs, jumps or computing, of faulty frames, error replies and replies without their command."
-    " Files and messages of WRITEMAILBOX are not masked.",
+    help="Mask names, addresses, PINs, contents of files and messages in what is recorded and shown. Replies show"
+    " values only if their commands only read, and have counters of their own. Paths are not masked.",
 )
 @click.option("--from", "only_from", metavar="ADDRESS", help="Serve only clients with this address.")
 @fault_options
@@ -70,6 +70,7 @@ def proxy(
     beacon: bool,
     serial_number: str | None,
     record: str | None,
+    force: bool,
     read_only: bool,
     hide: bool,
     only_from: str | None,
@@ -91,7 +92,7 @@ def proxy(
     address, port = _place(listen)
     options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect)
     with ExitStack() as stack:
-        recording = _recording(record, stack)
+        recording = _recording(record, stack, force)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
         with _failing(target, is_masked=hide):
             wire = open_wire(target)
@@ -107,6 +108,10 @@ def proxy(
                 recording=recording,
                 reopen=lambda: open_wire(target),
             )
+            if recording is not None:
+                # Only now: a proxy that cannot begin leaves the old file as it was.
+                with _recording_to(record):
+                    recording.flush()
         shown.start_ns = relay.records.start_ns
         if not ipaddress.ip_address(address).is_loopback:
             complain(f"Anyone who can reach {address} can control the brick through this proxy (--from, --read-only).")
@@ -165,19 +170,21 @@ def _address(text: str | None) -> str | None:
         raise click.BadParameter(f"invalid address {text[:60]!r}; {expected}", param_hint="'--from'") from None
 
 
-def _recording(record: str | None, stack: ExitStack) -> Recording | None:
+def _recording(record: str | None, stack: ExitStack, force: bool) -> Recording | None:
     """Starts the recording, if there is one. Ends the program if it cannot be written."""
     if record is None:
         return None
-    with writing_output() if record == "-" else failing_to("written", record):
-        recording = Recording(_recorded_to(record, stack))
-        recording.flush()
-        return recording
+    with _recording_to(record):
+        return Recording(_recorded_to(record, stack, force))
 
 
-def _recorded_to(record: str, stack: ExitStack) -> BinaryIO:
+def _recording_to(record: str | None) -> AbstractContextManager[object]:
+    return writing_output() if record in ("-", None) else failing_to("written", record)
+
+
+def _recorded_to(record: str, stack: ExitStack, force: bool) -> BinaryIO:
     """Opens the stream of the recording. Raises OSError, click.UsageError or OutputError."""
     if record == "-":
         refuse_terminal(None, "a capture", option="--record")
         return sys.stdout.buffer
-    return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record)))))
+    return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record), force=force))))

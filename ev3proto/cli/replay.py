@@ -84,9 +84,9 @@ def replay(
     the contents of files. The last lines count the replies, and name the brick's firmware if a command asks for it.
 
     Commands that only read are sent. Others are omitted and listed, unless --allow names what they do: see its list.
-    `computing` is what changes nothing on the brick, but may take long or write over memory: texts, arrays, jumps,
-    waits. File handles are those that the brick assigns now; message counters are new. Before a command that gives a
-    sensor's type the brick is asked for the type that is there.
+    `computing` may do anything: texts, arrays, jumps and variables can run hidden code and write over memory. Without
+    it, the type of a sensor is sent as 0, which keeps what is plugged in, and files are read in pieces of its own.
+    File handles are those that are assigned now; message counters are new.
 
     Exit status: 0 if every reply is of the recorded kind, whatever its values; 1 if one is missing or of another kind.
 
@@ -146,7 +146,6 @@ class _Replaying:
         self._channel = channel
         self._records = Records(channel.carrier, peer, dialect)
         self._replay = Replay(allowed)
-        self._frame = b""
         self._timeout = timeout
         self._dialect = dialect
         self._fast = fast
@@ -185,7 +184,7 @@ class _Replaying:
             line = [("omitted: ", Role.FAULT), *command_spans(step.command.message), (_why(outcome.harms), Role.ASIDE)]
             self._printer.lines([line])
             return
-        frame, reply = self._frame, outcome.reply
+        frame, reply = outcome.frame, outcome.reply
         command = self._records.sent(frame)
         received = None if reply is None else self._records.received(reply, command)
         if received is not None:
@@ -202,7 +201,6 @@ class _Replaying:
     def _exchange(self, frame: bytes) -> bytes | None:
         """Sends a frame. Returns its reply; None if there is none."""
         ticket = self._channel.send_again(frame)
-        self._frame = ticket.request.frame
         try:
             return self._channel.wait(ticket, self._timeout) or None
         except NoAnswerError as error:

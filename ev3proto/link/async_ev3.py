@@ -9,20 +9,25 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar
 
 from ev3proto.link import file_moves, questions
 from ev3proto.link.channel import Ticket
-from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, system
-from ev3proto.link.ev3 import EV3, read_source, system_reply
+from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of
+from ev3proto.link.errors import LinkError
+from ev3proto.link.ev3 import ENDING, EV3, Command, longest, prepared, read_source
 from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
+from ev3proto.link.transfers import OpenTransfers, next_of
 from ev3proto.link.verbs import Verbs
-from ev3proto.messages import Message, SystemReply
+from ev3proto.messages import Message
 from ev3proto.ops import com_set, info
+from ev3proto.schema.frame import parse
 from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")
@@ -256,16 +261,44 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     async def _run(self, task: Task[T]) -> T:
         async with self._moving:
-            reply: SystemReply | None = None
-            while True:
-                try:
-                    command = next(task) if reply is None else task.send(reply)
-                except StopIteration as end:
-                    result: T = end.value
-                    return result
-                patience = self._patience(None)
-                ticket = await self._sent(system(command, True), None)
-                reply = system_reply(await self._reply(ticket, None, patience, keep=False))
+            transfers, patience = OpenTransfers(), self._patience(None)
+            step: Callable[[], Command] = partial(next, task)
+            try:
+                while True:
+                    command = step()
+                    try:
+                        step = partial(task.send, await self._moved(command, transfers, patience))
+                    except BaseException as error:
+                        await self._end(transfers)
+                        patience = ENDING
+                        step = partial(task.throw, error)
+            except StopIteration as end:
+                result: T = end.value
+                return result
+            finally:
+                await self._end(transfers)
+
+    async def _moved(self, command: Command, transfers: OpenTransfers, patience: float | None) -> Message:
+        moving = asyncio.ensure_future(self._exchanged(command, longest(command, patience)))
+        try:
+            reply = await asyncio.shield(moving)
+        except asyncio.CancelledError:
+            await asyncio.wait({moving}, timeout=ENDING)
+            if moving.done() and moving.exception() is None:
+                transfers.learn(command, moving.result())
+            raise
+        transfers.learn(command, reply)
+        return reply
+
+    async def _exchanged(self, command: Command, patience: float | None) -> Message:
+        ticket = await self._sent(prepared(command, self._settings(None)[1]), None)
+        return parse(await self._reply(ticket, None, patience, keep=False), strict=False)
+
+    async def _end(self, transfers: OpenTransfers) -> None:
+        ending, reply = transfers.ending(), None
+        with suppress(LinkError):
+            while (command := next_of(ending, reply)) is not None:
+                reply = await self._moved(command, transfers, ENDING)
 
 
 def _abandon(ev3: EV3, sent: asyncio.Future[Ticket]) -> None:

@@ -6,21 +6,25 @@ import errno
 import threading
 import weakref
 from collections.abc import Callable
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from ev3proto.link import file_moves, questions
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
 from ev3proto.link.channel import Channel, Ticket, known_timeout
-from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, system
-from ev3proto.link.file_moves import MOST_FILE, File, Listing, Progress, Task, nothing_moved
+from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, direct, system
+from ev3proto.link.errors import LinkError
+from ev3proto.link.file_moves import COPYING, MOST_FILE, File, Listing, Progress, Task, nothing_moved
 from ev3proto.link.printing import RECEIVED, SENT, frame_printer, known_verbosity
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.targets import Target, chosen_target
+from ev3proto.link.transfers import OpenTransfers, next_of
 from ev3proto.link.verbs import Verbs
-from ev3proto.messages import Message, SystemReply
+from ev3proto.messages import DirectCommand, Message, SystemCommand
 from ev3proto.ops import com_set, info
 from ev3proto.schema.frame import parse
 from ev3proto.whole_files import write_whole
@@ -29,6 +33,11 @@ T = TypeVar("T")
 
 REPLY_TIMEOUT = 30.0
 """Default seconds to wait for a reply."""
+
+Command: TypeAlias = SystemCommand | DirectCommand
+
+ENDING = 2.0
+"""Seconds to wait for the reply to each command that ends a transfer."""
 
 
 class Shared:
@@ -347,23 +356,56 @@ class EV3(Verbs[bytes, Any]):
     def _run(self, task: Task[T]) -> T:
         # The firmware reads from the file that was opened last, whatever the handle: one transfer at a time.
         with self._shared.moving:
-            reply: SystemReply | None = None
-            while True:
-                try:
-                    command = next(task) if reply is None else task.send(reply)
-                except StopIteration as end:
-                    result: T = end.value
-                    return result
-                patience = self._patience(None)
-                ticket = self.channel.send(system(command, True), self.printer(SENT, None))
-                reply = system_reply(self._reply(ticket, None, patience, keep=False))
+            transfers, patience = OpenTransfers(), self._patience(None)
+            step: Callable[[], Command] = partial(next, task)
+            try:
+                while True:
+                    command = step()
+                    try:
+                        step = partial(task.send, self._moved(command, transfers, patience))
+                    except BaseException as error:
+                        # What it does in its `finally` comes next, with the connection free.
+                        self._end(transfers)
+                        patience = ENDING
+                        step = partial(task.throw, error)
+            except StopIteration as end:
+                result: T = end.value
+                return result
+            finally:
+                self._end(transfers)
+
+    def _moved(self, command: Command, transfers: OpenTransfers, patience: float | None) -> Message:
+        """Sends a command of a transfer. Whatever happens while it waits, the handle in the reply becomes known."""
+        ticket = self.channel.send(prepared(command, self.dialect), self.printer(SENT, None))
+        try:
+            frame = self._reply(ticket, None, longest(command, patience), keep=False)
+        except BaseException:
+            with suppress(LinkError):
+                transfers.learn(command, parse(self.channel.wait(ticket, ENDING), strict=False))
+            raise
+        reply = parse(frame, strict=False)
+        transfers.learn(command, reply)
+        return reply
+
+    def _end(self, transfers: OpenTransfers) -> None:
+        """Closes what a transfer has left open on the brick, which would keep it until it is restarted."""
+        ending, reply = transfers.ending(), None
+        with suppress(LinkError):
+            while (command := next_of(ending, reply)) is not None:
+                reply = self._moved(command, transfers, ENDING)
 
 
-def system_reply(frame: bytes) -> SystemReply:
-    """Returns the system reply in a frame that answers a system command."""
-    message = parse(frame, strict=False)
-    assert isinstance(message, SystemReply)
-    return message
+def longest(command: Command, patience: float | None) -> float | None:
+    """Returns the seconds to wait for the reply to a command of a transfer."""
+    is_copying = isinstance(command, DirectCommand) and patience not in (None, ENDING)
+    return max(patience or 0.0, COPYING) if is_copying else patience
+
+
+def prepared(command: Command, dialect: str) -> Prepared:
+    """Prepares a command of a transfer; all of them want a reply."""
+    if isinstance(command, SystemCommand):
+        return system(command, True)
+    return direct(command, 0, 0, SyncMode.SYNC, dialect)
 
 
 def read_source(path: str | Path) -> bytes:

@@ -7,12 +7,17 @@ from __future__ import annotations
 
 import hashlib
 import posixpath
+import secrets
 import time
 from collections.abc import Callable, Generator
-from typing import NamedTuple, TypeVar
+from contextlib import suppress
+from typing import Any, NamedTuple, TypeVar
 
-from ev3proto.link.errors import SystemCommandError, TransferError
-from ev3proto.messages import FieldValue, SystemCommand, SystemReply
+from ev3proto.compose import command
+from ev3proto.link.errors import LinkError, SystemCommandError, TransferError
+from ev3proto.messages import DirectCommand, FieldValue, SystemCommand, SystemReply
+from ev3proto.ops import file, memory_usage
+from ev3proto.semantics.replies import values_of
 from ev3proto.system import (
     begin_download,
     begin_upload,
@@ -28,7 +33,7 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SystemStatus
 
 T = TypeVar("T")
-Task = Generator[SystemCommand, SystemReply, T]
+Task = Generator[SystemCommand | DirectCommand, Any, T]
 """Yields commands, receives the reply to each, and returns the result."""
 
 Progress = Callable[[int, int], None]
@@ -43,6 +48,10 @@ MOST_NAMES = 100_000
 PATIENCE = 10.0
 """Seconds without a new name after which a listing counts as endless."""
 
+COPYING = 120.0
+"""Seconds to wait at least for the reply to a direct command: the brick copies megabytes."""
+
+_KIB = 1024
 _DIGEST_DIGITS = 32
 _SIZE_DIGITS = 8
 
@@ -67,23 +76,79 @@ def nothing_moved(_done: int, _total: int) -> None:
 
 
 def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task[File]:
-    """Writes a file to the brick, and compares the listed MD5. Raises SystemCommandError and TransferError."""
-    reply = yield begin_download(path, len(data))
-    handle = _begun(reply, path)
+    """Writes a file to the brick, and compares the listed MD5. Raises SystemCommandError and TransferError.
+
+    The old file stays until the new one is complete, under another name. The firmware cannot rename: FILE.MOVE deletes
+    the old file, and copies the new one.
+    """
+    part, is_moving = _beside(path), False
+    try:
+        yield from _written(data, part, path, progress)
+        listing = yield from _listing_of(path)
+        _compare(data, listing, part, path)
+        yield from _find_room(len(data), listing, path)
+        is_moving = True
+        yield command(file.move(part, path), reply=True)
+        found = _compare(data, (yield from _listing_of(path)), path, path)
+    except GeneratorExit:
+        raise
+    except BaseException as error:
+        if not is_moving or (yield from _is_there(data, path)):
+            with suppress(LinkError):
+                yield delete_file(part)
+            raise
+        kept = f"{path}: the brick may not have all of it; the new file is complete in {part}"
+        if isinstance(error, LinkError):
+            raise TransferError(kept) from error
+        error.add_note(kept)
+        raise
+    with suppress(LinkError):
+        yield delete_file(part)
+    return found
+
+
+def _beside(path: str) -> str:
+    """Returns a name in the same folder that no file has."""
+    return posixpath.join(posixpath.dirname(path), f"~{secrets.token_hex(4)}.tmp")
+
+
+def _written(data: bytes, part: str, path: str, progress: Progress) -> Task[None]:
+    reply = yield begin_download(part, len(data))
+    handle, done = _begun(reply, path), 0
     progress(0, len(data))
-    done = 0
-    for command in pieces(handle, data):
-        reply = yield command
+    for piece in pieces(handle, data):
+        reply = yield piece
         _check(reply, path)
-        done += len(_bytes(command.fields["data"]))
+        done += len(_bytes(piece.fields["data"]))
         progress(done, len(data))
-    return (yield from _compared(data, path))
+
+
+def _find_room(size: int, listing: Listing, path: str) -> Task[None]:
+    """Raises TransferError if the brick has no room for a second copy in place of the old file."""
+    asked = command(memory_usage(), reply=True)
+    free = next((value.value for value in values_of((yield asked), asked) if value.name == "FREE"), None)
+    old = _file_in(listing, path)
+    room = int(free) * _KIB + (0 if old is None else old.size) if isinstance(free, int) else size
+    if room < size:
+        raise TransferError(
+            f"{path}: the brick has no room for a second copy, which the firmware makes: {size} bytes are needed, and"
+            f" {room} are free; delete files there"
+        )
+
+
+def _is_there(data: bytes, path: str) -> Task[bool]:
+    """Returns whether the brick has all of a file."""
+    try:
+        _compare(data, (yield from _listing_of(path)), path, path)
+    except LinkError:
+        return False
+    return True
 
 
 def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
     """Reads a file from the brick, and compares its MD5 with the listed one. Raises as `download` does."""
     data = yield from _read(begin_upload(path), continue_upload, "size", "data", path, progress)
-    yield from _compared(data, path)
+    _compare(data, (yield from _listing_of(path)), path, path)
     return data
 
 
@@ -182,11 +247,18 @@ class _Names:
         return None
 
 
-def _compared(data: bytes, path: str) -> Task[File]:
-    """Returns the file as the brick lists it. Raises TransferError if it differs."""
-    folder, name = posixpath.split(path)
-    listing = yield from list_dir(folder or ("/" if path.startswith("/") else "."))
-    found = next((file for file in listing.files if file.name == name), None)
+def _listing_of(path: str) -> Task[Listing]:
+    """Lists the folder of a file."""
+    return (yield from list_dir(posixpath.dirname(path) or ("/" if path.startswith("/") else ".")))
+
+
+def _file_in(listing: Listing, path: str) -> File | None:
+    return next((file for file in listing.files if file.name == posixpath.basename(path)), None)
+
+
+def _compare(data: bytes, listing: Listing, place: str, path: str) -> File:
+    """Returns a file as the brick lists it. Raises TransferError if it differs from the data."""
+    found = _file_in(listing, place)
     if found is None:
         raise TransferError(f"{path}: the brick does not list the file after it was copied without an error")
     digest = hashlib.md5(data, usedforsecurity=False).hexdigest()

@@ -1,15 +1,15 @@
 """Masks names, addresses and PINs in frames, for recordings that are given to others.
 
-Numbers and texts are shown only where `tables.public` and Role.PUBLIC declare them public. Lengths stay, so a masked
-frame has the same operations.
+Everything is masked but opcodes, CMDs, encodings, places in memory, lengths, and numbers of the operations that
+`tables.public` declares public. A reply shows values only if it can answer no other command, and that one only reads.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
-from functools import cache
+from collections import OrderedDict
 
+from ev3proto.link.whitelist import blamed
 from ev3proto.messages import (
     Argument,
     DaisyCommand,
@@ -23,20 +23,21 @@ from ev3proto.messages import (
 )
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.frame import parse
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header
 from ev3proto.semantics.facts import facts_of
 from ev3proto.semantics.footprint import whole_number
-from ev3proto.semantics.judgement import judge
+from ev3proto.semantics.judgement import judged
 from ev3proto.semantics.replies import values_of
-from ev3proto.tables.declaration import Declaration, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import CONSTANT, JUMP, TEXT
-from ev3proto.tables.public import Public, public_of
+from ev3proto.tables.declaration import Role, Type
+from ev3proto.tables.encoding import CONSTANT, TEXT
+from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.public import public_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
 
 MASK = ord("x")
 
-_SHORT_CONSTANT = 0
-"""The constant 0 in its shortest encoding."""
+_MOST_COUNTERS = 1 << 15
+"""Commands after which a reply to an earlier one no longer comes."""
 
 _UNLOCK_LINE = re.compile(
     rb"GET /target\?sn=(?P<serial>[^\s]*)(?: ?VMTP1\.0)?\s*|Protocol: ?EV3\s*|Accept:EV340\s*|[\s\0]*"
@@ -50,36 +51,38 @@ _ADDRESS = re.compile(
 )
 """An IPv4, IPv6 or MAC address, or a serial number."""
 
-_ENDING = frozenset(
-    (Effect.ENDS, Effect.ENDS_CODE, Effect.MAY_END, Effect.JUMPS_ALWAYS, Effect.NEVER_RUNS, Effect.FAILS)
-)
-"""The effects of operations after which others may not be reached."""
+_NUMBERS = (FieldKind.U8, FieldKind.U16, FieldKind.U32)
 
-_TEXTS = (FieldKind.TEXT, FieldKind.COUNTED_TEXT)
-"""The kinds of fields that hold texts; others hold numbers and the contents of files and mailboxes."""
+
+class Counters:
+    """The counters of the commands to one brick, and what was sent with each: two commands, or one."""
+
+    def __init__(self) -> None:
+        self._sent: OrderedDict[int, bytes | None] = OrderedDict()
+
+    def sent(self, frame: bytes) -> None:
+        """Takes a command."""
+        counter, body = Header.read(frame).counter, frame[HEADER_SIZE - 1 :]
+        self._sent[counter] = body if self._sent.pop(counter, body) == body else None
+        if len(self._sent) > _MOST_COUNTERS:
+            self._sent.popitem(last=False)
+
+    def is_sure(self, reply: bytes) -> bool:
+        """Returns whether only one command may have this reply, however many were lost."""
+        return self._sent.get(Header.read(reply).counter) is not None
 
 
 def masked(frame: bytes, request: bytes | None = None, dialect: str = "official") -> bytes:
-    """Returns a frame without names, addresses and PINs.
-
-    Commands keep opcodes, CMDs, variables and lengths; those without private texts stay, and the values in replies to
-    them. What cannot be read or paired, errors and daisy replies keep length, counter and type. Paths and contents of
-    files, and the messages of WRITEMAILBOX, stay.
-    """
+    """Returns a frame without names, addresses and PINs. `request`: what a reply surely answers."""
     message = parse(frame, strict=False, dialect=dialect)
     if message.type is None or message.fault is not None:
         return _written_over(frame)
-    asked = None if request is None else parse(request, strict=False, dialect=dialect)
     if isinstance(message, DirectReply):
-        return _memory(frame, message, asked)
-    if isinstance(message, DirectCommand):
-        return frame if _is_shown(message) else _code(frame, message.operations, COMMAND_HEADER_SIZE)
-    if isinstance(message, SystemCommand | SystemReply):
-        return _fields(frame, message)
-    if isinstance(message, DaisyCommand):
-        is_shown = _is_shown(message) or not message.payload
-        return frame if is_shown else _code(frame, message.operations, HEADER_SIZE + 3)
-    return _written_over(frame)
+        return _memory(frame, message, None if request is None else parse(request, strict=False, dialect=dialect))
+    if isinstance(message, DirectCommand | DaisyCommand):
+        start = COMMAND_HEADER_SIZE if isinstance(message, DirectCommand) else HEADER_SIZE + 3
+        return _code(frame, message.operations, min(start, len(frame)))
+    return _fields(frame, message) if isinstance(message, SystemCommand | SystemReply) else _written_over(frame)
 
 
 def masked_opening(text: bytes) -> bytes:
@@ -104,119 +107,87 @@ def _written_over(frame: bytes, kept: int = HEADER_SIZE) -> bytes:
     return frame[:kept].ljust(len(frame), bytes((MASK,)))
 
 
-def _is_shown(message: DirectCommand | DaisyCommand) -> bool:
-    """Returns whether a command and its results have only numbers and texts that are public."""
-    return all(
-        not operation.declaration.is_newer
-        and (row := public_of(operation.full_name)) is not None
-        and all(_is_public(argument, operation, row) for argument in operation.arguments)
-        for operation in message.operations
-    )
-
-
-def _is_public(argument: Argument, operation: Operation, row: Public) -> bool:
-    """Returns whether an argument is a public number or text, or a variable into which the brick writes one."""
-    parameter, form = argument.parameter, argument.form
-    if form.handle or form.address or form.kind in (JUMP, TEXT):
-        return False
-    if parameter.type is Type.STRING or parameter.length is not None:
-        return parameter.role is Role.PUBLIC and parameter.is_output and _has_room(parameter, operation, row)
-    return parameter.is_output or _is_public_number(argument, row)
-
-
-def _has_room(parameter: Parameter, operation: Operation, row: Public) -> bool:
-    """Returns whether a text or an array is as long as what is public."""
-    count = whole_number(next((one for one in operation.arguments if one.name == parameter.length), None))
-    fits = count is not None and count >= 0 and (row.most is None or count <= row.most)
-    return fits or isinstance(parameter.length, int)
-
-
-def _is_public_number(argument: Argument, row: Public) -> bool:
-    number, known = whole_number(argument), facts_of(argument.parameter)
-    if argument.name in row.only:
-        return number in row.only[argument.name]
-    if argument.form.kind == CONSTANT:
-        return number is None or judge(known, CONSTANT, number) is None
-    # A variable that the brick reads may hold a part of a text, unless there are only a few documented values.
-    return known.domain is not None
-
-
 def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
-    """Masks a command except opcodes, CMDs, variables and lengths."""
     hidden = bytearray(_written_over(frame, start))
     for operation in operations:
         end = operation.offset + operation.length
-        arguments = operation.arguments
-        head = arguments[0].offset if arguments else end
+        head = operation.arguments[0].offset if operation.arguments else end
         hidden[operation.offset : head] = frame[operation.offset : head]
-        lengths = _lengths(operation.declaration)
-        for argument in arguments:
-            raw = argument.raw if argument.is_variable or argument.name in lengths else _argument(argument)
+        for argument in operation.arguments:
+            raw = argument.raw if _is_public(argument, operation) else _without_value(argument)
             hidden[argument.offset : argument.offset + len(raw)] = raw
     return bytes(hidden)
 
 
-@cache
-def _lengths(declaration: Declaration) -> frozenset[object]:
-    """Returns the names of the parameters that give the length of a text, an array or a list."""
-    counts = () if declaration.tail is None else (declaration.tail.counter.name,)
-    return frozenset((*counts, *(parameter.length for parameter in declaration.parameters)))
+def _is_public(argument: Argument, operation: Operation) -> bool:
+    """Returns whether an argument is a place in memory, a length, or a number that is declared public."""
+    declaration, number = operation.declaration, whole_number(argument)
+    lengths = {one.length for one in declaration.parameters} | (
+        {declaration.tail.counter.name} if declaration.tail else set()
+    )
+    if argument.is_variable or argument.name in lengths:
+        return (argument.value if argument.is_variable else number if number is not None else MAX_FRAME) in range(
+            -1, MAX_FRAME
+        )
+    is_number = argument.kind == CONSTANT and not argument.form.handle and argument.parameter.type is not Type.STRING
+    is_legal = is_number and judged(facts_of(argument.parameter), argument) is None
+    return is_legal and not declaration.is_newer and public_of(operation.full_name) is not None
 
 
-def _argument(argument: Argument) -> bytes:
-    """Returns an argument of the same size and kind without its value."""
+def _without_value(argument: Argument) -> bytes:
     raw = argument.raw
     if argument.kind == TEXT:
         return _written_over(raw[:-1], 1) + raw[-1:]
-    return _written_over(raw, 1) if argument.form.width else bytes((_SHORT_CONSTANT,))
+    return _written_over(raw, 1) if argument.form.width else b"\0"
 
 
 def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
-    """Masks a direct reply except the values of a harmless command."""
-    # Bytes outside of the command's outputs, or after the end of a text, may be left over from an earlier command.
     hidden = bytearray(_written_over(frame))
-    if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None:
+    if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None or any(blamed(asked)):
         return bytes(hidden)
-    is_shown = _is_shown(asked)
-    if is_shown:
-        hidden[HEADER_SIZE:] = bytes(MASK if byte else 0 for byte in frame[HEADER_SIZE:])
-    for value in values_of(reply, _reached(asked)):
-        start, end = value.offset, value.offset + value.length
+    # What only reads has no jumps and no ends: all outputs are written.
+    shown = {
+        (one.full_name, argument.name)
+        for one in asked.operations
+        if _has_public(one)
+        for argument in one.arguments
+        if _is_shown(argument)
+    }
+    for value in values_of(reply, asked):
+        end = value.offset + value.length
         if value.type == Type.STRING.label and frame[end : end + 1] == b"\0":
             hidden[end] = 0
-        if is_shown:
-            hidden[start:end] = frame[start:end]
+        if (value.full_name, value.name) in shown:
+            hidden[value.offset : value.offset + value.length] = frame[value.offset : value.offset + value.length]
     return bytes(hidden)
 
 
-def _reached(command: DirectCommand) -> DirectCommand:
-    """Returns a command without the operations after its end, whose outputs are left over from earlier ones."""
-    operations = command.operations
-    ends = (number for number, one in enumerate(operations, 1) if not _ENDING.isdisjoint(one.declaration.effects))
-    return replace(command, operations=operations[: next(ends, len(operations))])
+def _has_public(operation: Operation) -> bool:
+    layer = next((one for one in operation.arguments if one.parameter.role is Role.LAYER), None)
+    return public_of(operation.full_name) is not None and (layer is None or whole_number(layer) == 0)
+
+
+def _is_shown(argument: Argument) -> bool:
+    """Returns whether an output is a number, or a public text; a list may be longer than what the brick writes."""
+    parameter = argument.parameter
+    is_text = parameter.type is Type.STRING
+    return parameter.is_output and (parameter.role is Role.PUBLIC if is_text else parameter.length is None)
 
 
 def _fields(frame: bytes, message: SystemCommand | SystemReply) -> bytes:
-    """Masks the texts of a system message that are not public."""
-    is_reply = isinstance(message, SystemReply)
-    entry = SYSTEM_BY_NUMBER.get(message.number)
+    """Masks the fields of a system message that are not numbers and not declared public."""
+    is_reply, entry = isinstance(message, SystemReply), SYSTEM_BY_NUMBER.get(message.number)
     if entry is None:
         return _written_over(frame)
-    private = {
-        field.name
-        for field in (entry.reply if is_reply else entry.request)
-        if field.kind in _TEXTS and not field.is_public
-    }
-    declared = (REPLIES if is_reply else REQUESTS)[message.number]
-    begin = HEADER_SIZE + (2 if is_reply else 1)
-    shown = bytearray(frame)
-    given: dict[str, FieldValue] = {}
-    start = begin
+    kinds = {one.name: one for one in (entry.reply if is_reply else entry.request)}
+    declared, begin = (REPLIES if is_reply else REQUESTS)[message.number], HEADER_SIZE + (2 if is_reply else 1)
+    shown, given, start = bytearray(_written_over(frame, begin)), dict[str, FieldValue](), begin
     for name, value in message.fields.items():
         given[name] = value
         end = begin + len(declared.write_present(given))
-        if name in private:
-            # The last byte is the zero of the text.
-            shown[start : end - 1] = bytes((MASK,)) * (end - 1 - start)
+        if kinds[name].kind in _NUMBERS or kinds[name].is_public:
+            shown[start:end] = frame[start:end]
+        elif kinds[name].kind is not FieldKind.DATA:
+            shown[end - 1 : end] = frame[end - 1 : end]  # the zero of the text
         start = end
     return bytes(shown)

@@ -20,7 +20,7 @@ from ev3proto.capture.dialogues import RequestReply
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import Wire
 from ev3proto.link.errors import ConnectionLostError, LinkError, PortInUseError
-from ev3proto.link.masking import masked, masked_note, masked_opening
+from ev3proto.link.masking import Counters, masked, masked_note, masked_opening
 from ev3proto.link.records import Records
 from ev3proto.link.relays import Client, Guard, Passing, Sent
 from ev3proto.messages import Message
@@ -36,6 +36,9 @@ _CLIENT = "client"
 
 _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 """The ends of a connection in recordings without addresses."""
+
+LEASE = 8.0
+"""Seconds without a whole frame after which a client of `is_read_only` is disconnected if another one waits."""
 
 _TURN = 0.1
 _MOST_ENDING, _ENDING = 2.0, 0.01
@@ -92,6 +95,7 @@ class Proxy:
         self._wire = self._labelled(wire)
         self._reopen = reopen
         self._is_renewed = False
+        self._counters = Counters()
         self._relay: Guard | Passing = Guard(self) if options.is_read_only else Passing(self)
         self._show = show
         self._recording = recording
@@ -156,6 +160,8 @@ class Proxy:
     def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Session:
         """Begins to serve a client, and records the beginning of its connection."""
         client = self.client = Client(line, name, Decoder(strict=False, dialect=self._options.dialect))
+        client.heard = self.now()
+        self._loop.call_soon(self.queued)
         host, proxy = ends
         if self._options.is_masked:
             opening = [(masked_opening(text), is_host) for text, is_host in opening]
@@ -166,7 +172,16 @@ class Proxy:
         return _Session(self, client)
 
     def queued(self) -> None:
-        """Does nothing: the waiting client notices it by itself."""
+        """Ends the client that is served if it sends no whole frame while another one waits."""
+        client = self.client
+        if client is None or not self._options.is_read_only or not self._wifi.has_waiting:
+            return
+        left = LEASE if client.waiting else client.heard + LEASE - self.now()
+        if left > 0:
+            self.later(left, self.queued)
+            return
+        self.say_once(f"{client.name} was disconnected: it sent nothing for {LEASE:g} s, and another client waits")
+        client.line.drop()
 
     def forward(self, client: Client, data: bytes) -> None:
         """Forwards what a client sends; bytes that are not frames end its connection."""
@@ -203,7 +218,9 @@ class Proxy:
         return masked(frame, request, self._options.dialect) if self._options.is_masked else frame
 
     def _take_up(self, client: Client, message: Message) -> None:
+        client.heard = self.now()
         frame = message.build()
+        self._counters.sent(frame)
         shown = self._masked(frame)
         if self._options.is_masked:
             self._record(lambda recording: recording.data(_CLIENT, shown, True))
@@ -279,7 +296,8 @@ class Proxy:
             if command is not None:
                 self._show(RequestReply(command, None))
             return
-        shown = self._masked(reply, None if sent is None else sent.frame)
+        request = sent.frame if sent is not None and self._counters.is_sure(reply) else None
+        shown = self._masked(reply, request)
         self._record(lambda recording: recording.data(_CLIENT, shown, False))
         self._show(RequestReply(command, self.records.received(shown, command, note)))
         if faults.delay:

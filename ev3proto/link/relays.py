@@ -11,10 +11,13 @@ from ev3proto.brick.servers.host import Line
 from ev3proto.capture.record import Record
 from ev3proto.link.harm import Harm
 from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk
+from ev3proto.link.records import Records
 from ev3proto.link.refusals import refused
 from ev3proto.link.reply_stream import ReplyStream
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
+from ev3proto.link.transfers import Ending, OpenTransfers, next_of
 from ev3proto.messages import Message, SystemCommand
+from ev3proto.schema.frame import parse
 from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import foreign
@@ -43,6 +46,7 @@ class Owner(Protocol):
     """The proxy, as its relay sees it."""
 
     client: Client | None  # the client that is served
+    records: Records
 
     @property
     def carrier(self) -> Carrier:
@@ -77,7 +81,9 @@ class Client:
         self.line = line  # its connection
         self.name = name  # its address and port
         self.decoder = decoder  # what it sent
+        self.transfers = OpenTransfers()
         self.waiting: deque[Sent] = deque()  # its commands that `Guard` has not done yet, oldest first
+        self.heard = 0.0  # when its newest whole frame came
         self._reasons: set[str] = set()
 
     def hold(self, reason: str, is_held: bool) -> None:
@@ -89,12 +95,18 @@ class Client:
 class Passing:
     """Passes everything on at once, unchanged, counters included."""
 
-    is_idle = True  # nothing has to be done before the end
-
     def __init__(self, owner: Owner) -> None:
         self._owner = owner
         self._pairing: Pairing[Sent] = Pairing(_MOST_WAITING, give_up=self._give_up)
         self._stream = ReplyStream(lambda _counter: True)
+        self._nobody = Client(None, "the proxy", Decoder())  # type: ignore[arg-type]
+        self._endings: deque[Ending] = deque()  # of the transfers that clients have left open
+        self._ended: SystemCommand | None = None  # the command under way for the first of them
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing has to be done before the end."""
+        return not self._endings
 
     def forward(self, sent: Sent) -> None:
         """Sends a command of the client to the brick."""
@@ -123,6 +135,13 @@ class Passing:
                 continue
             answer = self._pairing.answered(*pairing_key(part), self._now_ns())
             sent, note = (None, None) if answer is None else (answer.command, answer.note)
+            if sent is not None and sent.message is self._ended:
+                self._end(parse(part, strict=False))
+                continue
+            if sent is not None and isinstance(sent.message, SystemCommand):
+                sent.client.transfers.learn(sent.message, parse(part, strict=False))
+                if sent.client is not client:
+                    self._leave(sent.client)
             # Replies to a client that has disconnected are withheld from the next one.
             if client is not None and (sent is None or sent.client is client):
                 self._owner.answer(sent, client, part, note)
@@ -132,6 +151,26 @@ class Passing:
         for sent in self._pairing.unanswered:
             if sent.client is client:
                 self._owner.unanswered(sent)
+        self._leave(client)
+
+    def _leave(self, client: Client) -> None:
+        """Ends what a client has left open."""
+        self._endings.append(client.transfers.ending())
+        if len(self._endings) == 1:
+            self._end(None)
+
+    def _end(self, reply: Message | None) -> None:
+        """Goes on to end what clients have left open."""
+        while self._endings:
+            self._ended = next_of(self._endings[0], reply)
+            if self._ended is not None:
+                frame = self._ended.build()
+                sent = Sent(self._nobody, self._ended, self._owner.records.sent(frame), frame)
+                self._pairing.remember(*pairing_key(frame), sent, self._now_ns())
+                self._owner.send(frame)
+                return
+            self._endings.popleft()
+            reply = None
 
     def renewed(self) -> None:
         """Learns that the connection to the brick is a new one."""
@@ -163,7 +202,6 @@ class Guard:
         self._request: Request | None = None
         self._cancel: Callable[[], None] = lambda: None
         self._gone: str | None = None
-        self._left: list[str] = []
 
     @property
     def is_idle(self) -> bool:
@@ -208,9 +246,6 @@ class Guard:
         client = self._owner.client
         while self._talk is None and (self._gone is not None or (client is not None and client.waiting)):
             if self._gone is not None:
-                self._left = [
-                    f"{self._gone} left the handle {each} open; it was closed" for each in self._policy.transfers
-                ]
                 self._talk, self._gone = self._policy.leave(), None
             elif client is not None:
                 self._sent = client.waiting[0]
@@ -230,8 +265,6 @@ class Guard:
             if sent is not None and sent in sent.client.waiting:
                 sent.client.waiting.remove(sent)
                 self._done(sent, end.value)
-            while sent is None and self._left:
-                self._owner.say_once(self._left.pop())
             return
         # With its own counter: no other command waits.
         self._request = self._session.adopt(frame)

@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from functools import partial
 from itertools import chain
 
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.capture.record import Direction, Record
-from ev3proto.link.harm import Harm
-from ev3proto.link.policy import Outcome, Policy, Talk, conduct
+from ev3proto.link.harm import Harm, harms_of
+from ev3proto.link.policy import Outcome, Policy, Talk
+from ev3proto.link.transfers import OpenTransfers
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
@@ -26,6 +26,7 @@ from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, SystemStatus
 from ev3proto.text.phrases import status_name, value_text
 
 _HANDLE = "handle"
+_LEFT_HANDLE = "a handle of the recording"
 _HANDLE_AT = HEADER_SIZE + 1
 _MOST_DIFFERENCES = 4
 _FIRMWARE = "UI_READ.GET_FW_VERS"
@@ -59,23 +60,24 @@ def steps(pairs: Iterable[RequestReply]) -> list[Step]:
 
 def plan(found: Iterable[Step], allowed: frozenset[str]) -> Iterator[tuple[Step, Mapping[Harm, str]]]:
     """Yields each step with the reasons to omit it, if the brick answers as recorded."""
-    replay = Replay(allowed, is_plan=True)
+    opened = OpenTransfers()
     for step in found:
-        yield step, conduct(replay.talk(step), partial(_recorded, step)).harms
-
-
-def _recorded(step: Step, frame: bytes) -> bytes | None:
-    """Returns the recorded reply to a step; None for frames that the recorded program did not send."""
-    is_step = frame[HEADER_SIZE - 1 : HEADER_SIZE + 1] == step.command.frame[HEADER_SIZE - 1 : HEADER_SIZE + 1]
-    return step.reply.frame if is_step and step.reply is not None else None
+        message, handle = step.command.message, _handle_of(step.command.message)
+        harms = harms_of(message, allowed)
+        if not harms and handle is not None and handle not in opened and Harm.COMPUTING not in allowed:
+            harms = {Harm.COMPUTING: _LEFT_HANDLE}
+        if not harms:
+            opened.learn(message, None if step.reply is None else step.reply.message)
+        yield step, harms
 
 
 class Replay:
     """What is sent of a capture. This is decided as it is sent, by the replies of this brick."""
 
-    def __init__(self, allowed: frozenset[str], *, is_plan: bool = False) -> None:
-        """`allowed` may be sent besides reading; for a plan there is no brick."""
-        self._policy = Policy(allowed, is_plan=is_plan)
+    def __init__(self, allowed: frozenset[str]) -> None:
+        """`allowed` may be sent besides reading."""
+        self._policy = Policy(allowed)
+        self._allowed = allowed
         self._now: dict[int, int] = {}  # recorded handles, and those that this brick gave for them
 
     def talk(self, step: Step) -> Talk:
@@ -86,10 +88,12 @@ class Replay:
             return Outcome({Harm.UNKNOWN: "the frame"})
         recorded = _handle_of(message)
         handle = None if recorded is None else self._now.get(recorded)
+        if recorded is not None and handle is None and Harm.COMPUTING not in self._allowed:
+            return Outcome(harms_of(message, self._allowed) or {Harm.COMPUTING: _LEFT_HANDLE})
         if handle is not None:
             frame = step.command.frame
             message = parse(frame[:_HANDLE_AT] + bytes((handle,)) + frame[_HANDLE_AT + 1 :], strict=False)
-        outcome = yield from self._policy.talk(message, is_own=handle in self._policy.transfers)
+        outcome = yield from self._policy.talk(message)
         self._learn(step, outcome.reply)
         return outcome
 
@@ -102,12 +106,12 @@ class Replay:
         entry = SYSTEM_BY_NUMBER.get(getattr(step.command.message, "number", -1))
         if step.reply is None or entry is None or entry.transfer != "begin":
             return
-        was, now = step.reply.message, None if reply is None else parse(reply, strict=False)
+        was, now = step.reply.message, parse(reply or b"", strict=False)
         recorded = was.fields.get(_HANDLE) if isinstance(was, SystemReply) else None
         handle = now.fields.get(_HANDLE) if isinstance(now, SystemReply) else None
         if isinstance(recorded, int):
             self._now.pop(recorded, None)
-            if isinstance(handle, int) and handle in self._policy.transfers:
+            if isinstance(handle, int) and isinstance(now, SystemReply) and not now.is_error:
                 self._now[recorded] = handle
 
 

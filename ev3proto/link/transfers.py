@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
+from collections.abc import Generator, Mapping
+from typing import TypeAlias
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemDeclaration, SystemStatus
+from ev3proto.system import close_filehandle, continue_list_files
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
-NO_TRANSFERS: Mapping[int, str] = MappingProxyType({})
+Ending: TypeAlias = Generator[SystemCommand, Message | None, None]
+"""What ends the transfers that are open, and is sent the replies."""
 
 _HANDLES = range(64)
+_MOST_PIECES = 10_000
+"""Pieces of a listing that is read to its end; the largest folder has fewer."""
+
 _LIST = "LIST_FILES"
 
 
@@ -19,21 +24,32 @@ def is_listing(name: str) -> bool:
     return name.endswith(_LIST)
 
 
-def _kind(name: str) -> str:
-    """Returns what is transferred: BEGIN_UPLOAD and CONTINUE_UPLOAD are both UPLOAD."""
-    return name.removeprefix("BEGIN_").removeprefix("CONTINUE_")
-
-
-def is_of(entry: SystemDeclaration, handle: object, transfers: Mapping[int, str]) -> bool:
+def is_of(command: SystemCommand, transfers: Mapping[int, str]) -> bool:
     """Returns whether a command continues a transfer of its own kind, or closes one that is not a listing."""
+    handle, name = command.fields.get("handle"), str(command.command)
     begun = transfers.get(handle) if isinstance(handle, int) else None
     if begun is None:
         return False
-    return not is_listing(begun) if entry.transfer == "close" else _kind(entry.name) == _kind(begun)
+    if name.startswith("CONTINUE_"):
+        return name.removeprefix("CONTINUE_") == begun.removeprefix("BEGIN_")
+    return not is_listing(begun)
 
 
 class OpenTransfers(dict[int, str]):
     """The open transfers: for each handle the name of the command that began it."""
+
+    def ending(self) -> Ending:
+        """Yields what ends each transfer, and is sent the replies.
+
+        A listing is read to its end, as the firmware would close another descriptor.
+        """
+        for handle, name in list(self.items()):
+            pieces = _MOST_PIECES if is_listing(name) else 1
+            while handle in self and pieces:
+                command = (continue_list_files if is_listing(name) else close_filehandle)(handle)
+                self.learn(command, (yield command))
+                pieces -= 1
+            self.pop(handle, None)
 
     def learn(self, command: Message, reply: Message | None) -> None:
         """Takes a command and its reply: the brick ends a transfer with its last piece, and after an error.
@@ -53,6 +69,14 @@ class OpenTransfers(dict[int, str]):
             self[handle] = entry.name
         elif not is_open or entry.transfer == "close":
             self.pop(handle, None)
+
+
+def next_of(ending: Ending, reply: Message | None) -> SystemCommand | None:
+    """Returns the next command that ends a transfer; None after the last."""
+    try:
+        return ending.send(reply)
+    except StopIteration:
+        return None
 
 
 def _is_success(command: SystemCommand, reply: Message | None) -> bool:

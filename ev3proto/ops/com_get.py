@@ -209,10 +209,10 @@ def get_network(
         length: Buffer size for each of the three texts, including the zero; bytes; -1: unlimited (handles only); DATA8.
         name: Name of the network, NONE without one; as many bytes as LENGTH says; string; an output, in global memory
             when omitted.
-        mac: MAC address of the brick, ?? when WiFi is off; as many bytes as LENGTH says; string; an output, in global
-            memory when omitted.
-        ip: IP address of the brick, ?? when not connected; as many bytes as LENGTH says; string; an output, in global
-            memory when omitted.
+        mac: MAC address of the brick, ?? when WiFi is off; at most 17 characters; as many bytes as LENGTH says; string;
+            an output, in global memory when omitted.
+        ip: IP address of the brick, ?? when not connected; at most 15 characters; as many bytes as LENGTH says; string;
+            an output, in global memory when omitted.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["COM_GET.GET_NETWORK"].draft((hardware, length, name, mac, ip), unchecked)

@@ -81,8 +81,8 @@ class Role(Enum):
 class Effect(Enum):
     """A side effect of an operation or system command that its parameters do not show. The value completes "it ...".
 
-    READS and COMPUTES say that there is none: they are what untrusted clients, and replays, may do. What has READS has
-    a row in `tables.reading`, with the reason.
+    READS and COMPUTES say that there is none: untrusted clients, and replays, may read. What reads changes nothing with
+    any constants in their domain, and any variables within the memory that is requested.
     """
 
     STARTS_SOUND = "starts a sound and returns at once; a sound that is playing ends"

@@ -24,6 +24,9 @@ from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT, TYPE
 from ev3proto.tables.ports import MotorPort, SensorPort
 
 SENSOR_PORTS = {port.value: f"port {port + 1}" for port in SensorPort}
+MOST_WAITS = 8
+"""Sensors that one command of an untrusted client may wait for: the firmware waits 1.2 s for each."""
+
 MOTOR_PORTS = {16 + port: f"motor port {port.name}" for port in MotorPort}
 
 LAYER = In("LAYER", DATA8, "brick in the daisy chain, 0 is the one addressed", range=(0, 3), role=Role.LAYER)

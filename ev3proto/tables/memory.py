@@ -138,7 +138,7 @@ MEMORY = (
                     NEW_FILE,
                     Out("SIZE", DATA32, "size of the file", unit="bytes", special={0: "not found"}),
                 ),
-                effects=(Effect.VARIES, Effect.READS),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 2,
@@ -159,7 +159,7 @@ MEMORY = (
                     DELIMITER,
                     Out("VALUE", DATAF, "the number, 0 if the text is not a number"),
                 ),
-                effects=(Effect.VARIES, Effect.READS),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 4,
@@ -194,7 +194,7 @@ MEMORY = (
                         length="LENGTH",
                     ),
                 ),
-                effects=(Effect.VARIES, Effect.READS),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 6,
@@ -446,7 +446,7 @@ MEMORY = (
                     BYTES_16,
                     Out("DESTINATION", DATA8, "the bytes; followed by a zero if the file ended early", length="BYTES"),
                 ),
-                effects=(Effect.VARIES, Effect.READS),
+                effects=(Effect.VARIES, Effect.COMPUTES),
             ),
             Command(
                 29,

@@ -63,7 +63,7 @@ def _reads(numbers: tuple[int, int, int, int]) -> tuple[Opcode, ...]:
                 INDEX,
                 Out("DESTINATION", type_, "the element's value"),
             ),
-            effects=(Effect.READS,),
+            effects=(Effect.COMPUTES,),
         )
         for number, (suffix, type_, size) in zip(numbers, NUMBER_TYPES, strict=True)
     )

@@ -7,10 +7,8 @@ was.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fnmatch import fnmatchcase
 from functools import cache
-from types import MappingProxyType
 from typing import NamedTuple
 
 
@@ -19,14 +17,10 @@ class Public(NamedTuple):
 
     names   patterns of their names, separated by blanks
     reason  what the numbers are
-    most    elements of a list that the firmware writes at most; what follows them is left over
-    only    values of parameters with which all outputs are written
     """
 
     names: str
     reason: str
-    most: int | None = None
-    only: Mapping[str, range] = MappingProxyType({})
 
 
 PUBLIC = (
@@ -34,10 +28,7 @@ PUBLIC = (
     Public("TIMER_WAIT TIMER_READY TIMER_READ TIMER_READ_US", "Times."),
     Public("SOUND.TONE SOUND.BREAK SOUND.PLAY SOUND.REPEAT SOUND_TEST SOUND_READY", "Volumes, frequencies, times."),
     Public("OUTPUT_*", "Ports, speeds, counts and times of motors."),
-    Public("INPUT_DEVICE_LIST", "Types of devices.", most=32),
-    Public(
-        "INPUT_READEXT", "Values of sensors and motors; other formats are a byte each.", only={"FORMAT": range(16, 19)}
-    ),
+    Public("INPUT_DEVICE_LIST", "Types of devices."),
     Public(
         "INPUT_TEST INPUT_READY INPUT_READ INPUT_READSI INPUT_DEVICE.GET_* INPUT_DEVICE.READY_*"
         " INPUT_DEVICE.CLR_* INPUT_DEVICE.STOP_ALL",

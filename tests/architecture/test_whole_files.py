@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import os
 import signal
@@ -182,7 +183,9 @@ def test_what_may_hold_a_pin_can_be_read_by_its_owner_only(tmp_path: Path) -> No
     with ev3proto.EV3(target=f"virtual:{tmp_path / 'brick'}") as brick:
         brick.download(b"1234", "../prjs/pin.rtf")
         brick.upload("../prjs/pin.rtf", tmp_path / "pin.rtf")
-    GrowingFile(tmp_path / "talk.pcapng").close()
+    with contextlib.closing(GrowingFile(tmp_path / "talk.pcapng")) as recording:
+        recording.write(b"1234")
+        recording.flush()
     (tmp_path / "log").write_text(moved(("../prjs/a.rtf", b"1234")))
     assert run("files", tmp_path / "log", "-o", tmp_path / "files").returncode == 0
     (recovered,) = (path for path in (tmp_path / "files").rglob("*") if path.is_file())
@@ -199,3 +202,27 @@ def test_a_file_that_is_there_keeps_its_rights(tmp_path: Path) -> None:
     assert mode(path) == 0o640
     write_whole(tmp_path / "frame.bin", b"")
     assert mode(tmp_path / "frame.bin") == 0o644
+
+
+def test_a_recording_is_not_emptied_before_there_is_something_to_write(tmp_path: Path) -> None:
+    old, new, fifo = tmp_path / "old.pcapng", tmp_path / "new.pcapng", tmp_path / "fifo"
+    old.write_bytes(b"old")
+    for words in (("proxy", "--to", "wifi:127.0.0.1:1"), ("brick", "--port", "0", "--no-beacon", "--script", "none")):
+        for path, more in ((old, ()), (old, ("--force",)), (new, ())):
+            done = run(*words, "--record", path, *more)
+            assert done.returncode != 0
+            assert ("(--force overwrites it)" in done.stderr) == (path is old and not more and words[0] == "proxy")
+            assert (old.read_bytes(), new.exists()) == (b"old", False)
+    with pytest.raises(FileExistsError):
+        GrowingFile(old)
+    growing = GrowingFile(old, force=True)
+    growing.write(b"new contents")
+    assert old.read_bytes() == b"old"
+    growing.flush()
+    growing.close()
+    assert old.read_bytes() == b"new contents"
+    GrowingFile(new).close()
+    assert not new.exists()
+    fifo.write_bytes(b"a file")
+    done = run("extcap", "--extcap-interface", "ev3proxy", "--capture", "--fifo", fifo)
+    assert (done.returncode, fifo.read_bytes()) == (1, b"a file")

@@ -11,11 +11,9 @@ from support.sent import sent_in
 import ev3proto
 from ev3proto import GV, LV, DirectCommand, Operation, operation
 from ev3proto.link.harm import Harm, harms_of
-from ev3proto.link.known import ASSUMED, NOTHING, Known
 from ev3proto.messages import Message, SystemCommand
 from ev3proto.schema.argument import encode_as
 from ev3proto.tables import OPCODES, operations
-from ev3proto.tables import reading as policy
 from ev3proto.tables import system as tables
 from ev3proto.tables.declaration import Effect, declarations
 from ev3proto.tables.system import SYSTEM
@@ -31,8 +29,8 @@ def command(*operations: Operation | bytes, globals_: int = 16, locals_: int = 1
     return len(body).to_bytes(2, "little") + body
 
 
-def harms(frame: bytes, *allowed: str, dialect: str = "official", known: Known = NOTHING) -> set[Harm]:
-    return set(harms_of(ev3proto.parse(frame, strict=False, dialect=dialect), allowed, known=known))
+def harms(frame: bytes, *allowed: str, dialect: str = "official") -> set[Harm]:
+    return set(harms_of(ev3proto.parse(frame, strict=False, dialect=dialect), allowed))
 
 
 # The list
@@ -52,15 +50,12 @@ READING = [
     operation("OUTPUT_GET_COUNT", 0, 0, GV(0)),
     operation("OUTPUT_TEST", 0, 15, GV(0)),
     operation("COM_GET.GET_BRICKNAME", 16, GV(0)),
-    operation("FILE.OPEN_READ", "../prjs/a.txt", LV(0), LV(4)),
     operation("FILE.GET_FOLDERS", "../prjs/", GV(0)),
     operation("FILE.GET_SUBFOLDER_NAME", "../prjs/", 1, 16, GV(0)),
     operation("FILENAME.EXIST", "../prjs/a.rbf", GV(0)),
     operation("MEMORY_USAGE", GV(0), GV(4)),
-    operation("MOVE8_8", LV(0), GV(0)),
-    operation("ADD32", LV(0), 5, GV(0)),
-    operation("WRITE8", 1, 15, GV(0)),
-    operation("READ8", LV(0), 15, GV(0)),
+    operation("MOVE8_8", 3, GV(0)),
+    operation("ADD32", 2, 5, GV(0)),
     operation("INIT_BYTES", GV(0), 3, [1, 2, 3]),
 ]
 
@@ -82,52 +77,6 @@ def test_a_command_may_wait_for_a_sensor_eight_times() -> None:
     assert harms(command(*[READY] * 9)) == COMPUTING
 
 
-@pytest.mark.parametrize("number", [7, 8, 16, 29, 33])
-@pytest.mark.parametrize("name", ["INPUT_DEVICE.READY_SI", "INPUT_READSI", "INPUT_READEXT"])
-def test_a_type_has_to_be_the_one_that_the_brick_reports(name: str, number: int) -> None:
-    outputs = {"INPUT_DEVICE.READY_SI": ([GV(0)],), "INPUT_READSI": (GV(0),), "INPUT_READEXT": (18, [GV(0)])}
-    frame = command(operation(name, 0, 16, number, 0, *outputs[name]))
-    # An empty port stays empty, whatever type a command gives.
-    for found, expected in ((number, set()), (EMPTY, set()), (5, COMPUTING), (125, COMPUTING)):
-        assert harms(frame, known=Known({(0, 16): found})) == expected
-    assert harms(frame, known=Known({(0, 1): number})) == COMPUTING
-    assert harms(frame) == COMPUTING
-
-
-def test_a_type_in_a_variable_is_what_is_in_memory() -> None:
-    # A client that ev3proto has a capture of gives the type as a variable, by mistake.
-    ready = operation("INPUT_DEVICE.READY_RAW", 0, 2, GV(33), 0, [GV(0)])
-    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(34))) == set()
-    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(33) + b"\x21")) == set()
-    assert harms(command(ready), known=Known({(0, 2): 7}, memory=bytes(33) + b"\x21")) == COMPUTING
-    assert harms(command(ready), known=Known({(0, 2): 33}, memory=bytes(33))) == COMPUTING
-    local = operation("INPUT_DEVICE.READY_RAW", 0, 2, LV(4), 0, [GV(0)])
-    assert harms(command(local)) == set()
-    for writing in (operation("MOVE8_8", 7, LV(4)), operation("MOVE32_32", 7, LV(1)), operation("WRITE8", 7, 4, LV(0))):
-        assert harms(command(writing, local), known=Known({(0, 2): 7})) == COMPUTING
-
-
-def test_a_file_is_read_by_the_handle_of_its_command() -> None:
-    opened = operation("FILE.OPEN_READ", "../prjs/a.txt", LV(0), LV(4))
-    read_text = operation("FILE.READ_TEXT", LV(0), 0, 16, GV(0))
-    known = Known(files={b"../prjs/a.txt"})
-    assert harms(command(opened, read_text), known=known) == set()
-    for code in (
-        [read_text],
-        [read_text, opened],
-        [opened, operation("MOVE16_16", 0, LV(0)), read_text],
-        [opened, operation("MOVE8_8", 0, LV(1)), read_text],
-        [opened, operation("FILE.READ_TEXT", LV(2), 0, 16, GV(0))],
-        [opened, operation("FILE.READ_TEXT", 1, 0, 16, GV(0))],
-        [opened, read_text, operation("FILE.CLOSE", LV(0))],
-    ):
-        assert harms(command(*code), known=known) == COMPUTING
-    # The handle of a missing file is 0, which is the command's own memory.
-    assert harms(command(opened, read_text), known=NOTHING) == COMPUTING
-    assert harms(command(*[opened] * 8)) == set()
-    assert harms(command(*[opened] * 9)) == COMPUTING
-
-
 @each("reading", READING)
 def test_reading_wants_a_reply(reading: Operation) -> None:
     frame = bytearray(command(reading))
@@ -141,9 +90,10 @@ READERS = {
 
 
 @pytest.mark.parametrize(
-    ("capture", "least"), [("wifi.pcapng", 6), ("usb.pcapng", 5), ("ev3_dc.pcap", 30), ("real-bricks.log", 90)]
+    ("capture", "least", "wrong"),
+    [("wifi.pcapng", 6, 0), ("usb.pcapng", 5, 0), ("ev3_dc.pcap", 30, 1), ("real-bricks.log", 90, 0)],
 )
-def test_the_reading_frames_of_clients_are_on_the_list(capture: str, least: int) -> None:
+def test_the_reading_frames_of_clients_are_on_the_list(capture: str, least: int, wrong: int) -> None:
     reading = [
         message
         for message in sent_in(capture)
@@ -152,7 +102,9 @@ def test_the_reading_frames_of_clients_are_on_the_list(capture: str, least: int)
         and not {"UI_READ.GET_EVENT", "FILE.GET_ITEM"} & {one.full_name for one in message.operations}
     ]
     assert len(reading) >= least
-    assert [message for message in reading if harms_of(message, known=ASSUMED)] == []
+    # A client of ev3_dc.pcap gives a type as a variable, by mistake.
+    refused = [str(one)[1:].split(" at ")[0] for message in reading if harms_of(message) for one in message.operations]
+    assert refused == ["INPUT_DEVICE.READY_RAW(LAYER=0, NO=2, TYPE=GV(33), MODE=0, VALUES=1, VALUES[0]=GV(0))"] * wrong
 
 
 def test_computing_is_all_that_the_conformance_capture_needs() -> None:
@@ -187,16 +139,6 @@ def test_what_reads_has_no_other_effect() -> None:
     found = {effect for effects in all_effects if Effect.READS in effects for effect in effects}
     assert found == {Effect.READS, Effect.VARIES, Effect.WAITS}
     assert not any(one.is_newer for one in operations().values() if Effect.READS in one.effects)
-
-
-def test_what_reads_has_a_reason() -> None:
-    names = [*(one.name for one in declarations(OPCODES)), *(one.name for one in SYSTEM)]
-    effects = [*(one.effects for one in declarations(OPCODES)), *(one.effects for one in SYSTEM)]
-    reading = [name for name, has in zip(names, effects, strict=True) if Effect.READS in has]
-    assert [name for name in reading if policy.reading_of(name) is None] == []
-    rows = [policy.reading_of(name) for name in reading]
-    assert [row.names for row in policy.READING if row not in rows] == []
-    assert [row.names for row in policy.READING if not row.reason.endswith(".") or row.reason.count(". ")] == []
 
 
 # Attacks
@@ -277,7 +219,6 @@ ATTACKS: dict[str, list[Operation | bytes]] = {
     "many waits": [operation("INPUT_DEVICE.READY_SI", 0, 3, 0, number % 2, [GV(0)]) for number in range(40)],
     "addresses over memory": [operation("COM_GET.GET_NETWORK", 3, 4, GV(0), GV(4), GV(8))],
     "an address over memory": [operation("COM_GET.GET_NETWORK", 3, 4, LV(0), LV(12), GV(0))],
-    "a count of another brick": [operation("OUTPUT_GET_COUNT", 1, 0, GV(0))],
     "memory that is freed": [operation("FILE.CLOSE", 0)],
     "a device": [operation("FILE.OPEN_READ", "/dev/lms_pwm", LV(0), LV(4))],
     "a file of processes": [operation("FILE.OPEN_READ", "../../../../proc/1/mem", LV(0), LV(4))],
@@ -302,30 +243,6 @@ ATTACKS: dict[str, list[Operation | bytes]] = {
 @each("attack", ATTACKS)
 def test_attacks_are_not_on_the_list(attack: str) -> None:
     assert harms(command(*ATTACKS[attack]))
-
-
-@each("attack", [name for name in ATTACKS if name.startswith("a jump") and name != "a jump to itself"])
-def test_no_code_is_hidden_from_computing(attack: str) -> None:
-    assert harms(command(*ATTACKS[attack]), "computing") == UNKNOWN
-
-
-@each(
-    "attack",
-    [
-        "a copy of unknown length",
-        "a format that writes",
-        "a format in a variable",
-        "an output far behind the memory",
-        "an element by a variable",
-        "an output into a text",
-        "an output by a handle",
-        "a count in a variable",
-        "a CMD by a handle",
-        "GET_POWER, which older firmware runs as code",
-    ],
-)
-def test_no_memory_is_written_over_by_computing(attack: str) -> None:
-    assert Harm.UNKNOWN in harms(command(*ATTACKS[attack]), "computing")
 
 
 @pytest.mark.parametrize(
@@ -368,22 +285,6 @@ def test_what_is_not_a_readable_command_is_unknown(frame: bytes) -> None:
 # System commands
 
 
-def test_files_are_read_by_those_who_opened_them() -> None:
-    assert not harms_of(ev3proto.system.list_files("../prjs/"))
-    assert not harms_of(ev3proto.system.begin_upload("../prjs/a.rbf"))
-    assert not harms_of(ev3proto.system.list_open_handles())
-    begun = {3: "BEGIN_UPLOAD", 4: "BEGIN_GETFILE", 5: "LIST_FILES", 6: "BEGIN_DOWNLOAD"}
-    for later, own in (
-        (ev3proto.system.continue_upload, {3}),
-        (ev3proto.system.continue_getfile, {4}),
-        (ev3proto.system.continue_list_files, {5}),
-        # The firmware keeps a count where it would look for the descriptor of a listing.
-        (ev3proto.system.close_filehandle, {3, 4, 6}),
-    ):
-        for handle in range(64):
-            assert set(harms_of(later(handle), handles=begun)) == (set() if handle in own else COMPUTING)
-
-
 @pytest.mark.parametrize(
     "command",
     [
@@ -395,15 +296,19 @@ def test_files_are_read_by_those_who_opened_them() -> None:
     ],
 )
 def test_reading_files_wants_a_reply(command: SystemCommand) -> None:
-    assert set(harms_of(command, handles={3: "BEGIN_UPLOAD"})) == COMPUTING
+    assert set(harms_of(command)) == COMPUTING
 
 
 @pytest.mark.parametrize(
     ("path", "is_read"),
     [
-        ("../prjs/../prjs/everstorm", True),
+        ("../prjs/everstorm", True),
+        ("../prjs/../prjs/everstorm", False),
         ("/home/root/lms2012", True),
-        ("/home/root/lms2012/../lms2012/./prjs//a", True),
+        ("/home/root/lms2012/../lms2012/prjs/a", False),
+        ("../prjs//a", False),
+        ("./../prjs/a", False),
+        ("prjs/a", False),
         ("", False),
         ("/", False),
         ("..//../", False),
@@ -425,19 +330,15 @@ def test_paths_are_below_the_brick_s_own_folder(path: str, is_read: bool) -> Non
 
 
 def test_a_name_that_leaves_an_error_behind() -> None:
-    assert not harms_of(ev3proto.system.list_files("../prjs/a*"))
+    assert not harms_of(ev3proto.system.list_files("../prjs/a.abcd"))
     assert set(harms_of(ev3proto.system.begin_upload("../prjs/a*.rbf"))) == COMPUTING
     assert set(harms_of(ev3proto.system.begin_getfile("../prjs/a.abcd"))) == COMPUTING
-
-
-def test_a_path_that_the_brick_has_no_room_for() -> None:
-    assert set(harms_of(ev3proto.system.list_files("x" * 120))) >= UNKNOWN
 
 
 def test_a_frame_that_is_longer_than_a_report() -> None:
     # CLOSE_FILEHANDLE of handle 3, with 1,100 bytes in place of a hash.
     frame = (1105).to_bytes(2, "little") + bytes.fromhex("0000 01 98 03") + bytes(1100)
-    assert set(harms_of(ev3proto.parse(frame, strict=False), handles={3: "BEGIN_UPLOAD"})) == UNKNOWN
+    assert set(harms_of(ev3proto.parse(frame, strict=False))) == UNKNOWN
 
 
 @each("entry", [entry for entry in SYSTEM if Effect.READS not in entry.effects])
@@ -497,22 +398,14 @@ def test_what_passes_only_reads(frame: bytes) -> None:
 @pytest.mark.parametrize(
     ("changing", "words"),
     [
-        (
-            operation("INPUT_DEVICE.READY_SI", 0, 0, 29, 3, [GV(0)]),
-            "INPUT_DEVICE.READY_SI with TYPE 29 (not the type of the device at that port)",
-        ),
-        (
-            operation("INPUT_READ", 0, 0, GV(1), 0, GV(0)),
-            "INPUT_READ with this TYPE (not the type of the device at that port)",
-        ),
+        (operation("INPUT_READ", 0, 0, GV(1), 0, GV(0)), "INPUT_READ with TYPE"),
         (operation("OUTPUT_GET_COUNT", 0, 9, GV(0)), "OUTPUT_GET_COUNT with NOS 9"),
-        (operation("FILE.OPEN_READ", "/etc/passwd", LV(0), LV(4)), "FILE.OPEN_READ with this NAME"),
+        (operation("FILE.OPEN_READ", "/etc/passwd", LV(0), LV(4)), "FILE.OPEN_READ"),
         (operation("TIMER_WAIT", 5, LV(0)), "TIMER_WAIT"),
     ],
 )
 def test_the_argument_that_does_more_than_read_is_named(changing: Operation, words: str) -> None:
-    touch = Known(types={(0, 0): 16})
-    assert harms_of(ev3proto.parse(command(changing)), known=touch)[Harm.COMPUTING] == words
+    assert harms_of(ev3proto.parse(command(changing)))[Harm.COMPUTING] == words
 
 
 @pytest.mark.parametrize(
@@ -522,18 +415,14 @@ def test_the_argument_that_does_more_than_read_is_named(changing: Operation, wor
         (command(operation("NOP"), globals_=1020), UNKNOWN),
         (command(b"\x01" * 1017), set()),
         (command(b"\x01" * 1018), UNKNOWN),
-        (ev3proto.system_command("CREATE_DIR", path="x" * 119).build(), {Harm.FILES}),
-        (ev3proto.system_command("CREATE_DIR", path="x" * 120).build(), {Harm.FILES, Harm.UNKNOWN}),
     ],
     ids=[
         "the longest reply",
         "a longer one",
         "the longest command",
         "a longer one",
-        "the longest path",
-        "a longer one",
     ],
 )
 def test_limits(frame: bytes, expected: set[Harm]) -> None:
-    """A reply and a command have 1,024 bytes, a path 119: what the firmware does beyond is not known."""
+    """A reply and a command have 1,024 bytes: what the firmware does beyond is not known."""
     assert harms(frame) == expected

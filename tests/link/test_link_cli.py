@@ -263,7 +263,7 @@ def test_replay_of_a_transfer_uses_the_handle_that_the_brick_gives(tmp_path: Pat
         write_pcapng(frames, stream)
     done = run_ev3proto_text("replay", capture, "--to", f"virtual:{tmp_path / 'brick'}")
     assert done.stderr == "2 commands sent, 0 omitted; answered 2 as recorded, 0 with other values, 0 otherwise\n"
-    assert "CONTINUE_UPLOAD handle=0 max_bytes=10 -> END_OF_FILE handle=0" in done.stdout
+    assert "CONTINUE_UPLOAD handle=64 max_bytes=10 -> END_OF_FILE handle=64" in done.stdout
     assert done.returncode == 0
 
 
@@ -281,7 +281,7 @@ def test_a_program_talks_through_the_proxy(tmp_path: Path) -> None:
                 assert my_ev3.volume == 100
                 my_ev3.download(bytes(3000), "../prjs/x.bin")
         assert found.shown[0] == "INFO.GET_VOLUME(VALUE=GV(0)) -> VALUE=100 %"
-        assert found.shown[1] == 'BEGIN_DOWNLOAD size=3000 path="../prjs/x.bin" -> SUCCESS handle=0'
+        assert re.fullmatch(r'BEGIN_DOWNLOAD size=3000 path="../prjs/~\w{8}[.]tmp" -> SUCCESS handle=0', found.shown[1])
         assert found.said == []
 
 
@@ -426,9 +426,6 @@ def test_read_only_closes_what_a_client_leaves_open(tmp_path: Path) -> None:
             with Client(found.proxy.port) as client:
                 assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
                 assert client.is_silent()
-                assert [said.split(" ", 1)[1] for said in found.said if "left" in said] == [
-                    "left the handle 0 open; it was closed"
-                ]
                 assert handles_in_use(brick) == 0
                 client.ask(upload_begun)
                 # The proxy ends while this client is connected.

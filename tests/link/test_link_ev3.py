@@ -270,12 +270,17 @@ def test_a_full_disk_leaves_nothing_behind(my_ev3: EV3, tmp_path: Path) -> None:
 
 
 def test_a_file_that_changed_on_its_way_is_noticed() -> None:
+    part = b""
+
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
-        listing = b"0" * 32 + b" 00000003 x\n"
+        nonlocal part
+        part = frame[10:-1] if frame[5] == 0x92 else part
+        listing = b"0" * 32 + b" 00000003 " + part + b"\n"
         status = {
             0x92: b"\0\x05",
             0x93: b"\x08\x05",
             0x99: b"\x08" + struct.pack("<I", len(listing)) + b"\x07" + listing,
+            0x9C: b"\0",
         }
         send(reply(frame, frame[5:6] + status[frame[5]], 3))
 

@@ -197,23 +197,22 @@ def test_commands_without_texts_stay() -> None:
     name = asking(operation("INPUT_DEVICE.GET_NAME", 0, 2, 16, GV(0)))
     for frame in (BATTERY, tone, sensor, name):
         assert masked(frame) == frame
-    reply = replying(bytes.fromhex("00 00 f0 40").ljust(16, b"\0"))
-    assert masked(reply, BATTERY) == reply
+    # Memory behind the outputs may hold anything.
+    volts = bytes.fromhex("00 00 f0 40")
+    assert masked(replying(volts.ljust(16, b"\0")), BATTERY) == replying(volts.ljust(16, b"x"))
     version = replying(b"V1.04H".ljust(16, b"\0"))
-    assert masked(version, asking(operation("UI_READ.GET_FW_VERS", 16, GV(0)))) == version
-    for public, memory in ((sensor, bytes(range(8)).ljust(16, b"\0")), (name, b"COL-REFLECT".ljust(16, b"\0"))):
-        assert masked(replying(memory), public) == replying(memory)
+    shown = replying(b"V1.04H\0".ljust(16, b"x"))
+    assert masked(version, asking(operation("UI_READ.GET_FW_VERS", 16, GV(0)))) == shown
+    for public, memory in ((sensor, bytes(range(8))), (name, b"COL-REFLECT\0")):
+        assert masked(replying(memory.ljust(16, b"\0")), public) == replying(memory.ljust(16, b"x"))
     listing = ev3proto.system_command("LIST_FILES", path="../prjs/", max_bytes=900).build()
     assert masked(listing) == listing
 
 
-def test_outputs_before_the_end_stay() -> None:
-    request = asking(
-        operation("UI_READ.GET_VBATT", GV(0)), operation("OBJECT_END"), operation("UI_READ.GET_IBATT", GV(4))
-    )
+def test_outputs_of_commands_that_do_more_than_read_are_masked() -> None:
+    request = asking(operation("UI_READ.GET_VBATT", GV(0)), operation("OBJECT_END"))
     assert masked(request) == request
-    volts = bytes.fromhex("00 00 f0 40")
-    assert masked(replying(volts + b"Pass" + bytes(8)), request) == replying(volts + b"xxxx" + bytes(8))
+    assert masked(replying(bytes(16)), request) == replying(b"x" * 16)
 
 
 def test_the_text_in_a_masked_reply_keeps_its_length() -> None:

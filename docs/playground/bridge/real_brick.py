@@ -24,13 +24,12 @@ from ev3proto.link import file_moves, questions
 from ev3proto.link.commands import Prepared, SyncMode, direct
 from ev3proto.link.errors import LinkError
 from ev3proto.link.file_moves import Task
-from ev3proto.link.harm import Harm, harms_of
-from ev3proto.link.known import NOTHING, Known
+from ev3proto.link.harm import Harm
 from ev3proto.link.policy import Outcome, Policy, Talk
 from ev3proto.link.questions import Question
 from ev3proto.link.replay import Likeness, Replay, Step, compare, plan, steps
 from ev3proto.link.session import Answered, Oddity, Request, Session, Stray
-from ev3proto.messages import LV, SystemReply
+from ev3proto.messages import LV
 from ev3proto.ops import com_set, file, input_readsi, output_stop, program_start, program_stop
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header, build_frame, frame_size
@@ -102,8 +101,8 @@ class Job:
         return self.request.frame
 
 
-Done = Callable[[Outcome, Job | None, float, str], None]
-"""Takes the outcome of a talk, its last command, the milliseconds that it took, and the reason why it has no answer."""
+Done = Callable[[Outcome, float, str], None]
+"""Takes the outcome of a talk, the milliseconds of its last command, and the reason why that has no answer."""
 
 
 class RealBrick:
@@ -128,7 +127,6 @@ class RealBrick:
         # Other tabs and programs may see the same replies: their counters should differ.
         self._session = Session(random.randrange(COUNTERS))
         self._policy = Policy()
-        self._known, self._known_since = NOTHING, 0.0
         self._left = 0
         self._jobs: deque[Job] = deque()
         self._now: Job | None = None
@@ -272,35 +270,32 @@ class RealBrick:
         report = check(frame)
         if not report.accepted:
             yield f"The brick refuses it, and may have to be restarted: {report.findings[0].message}."
-        is_recent = time.monotonic() - self._known_since < 2 * PERIOD
-        known = self._known if is_recent else NOTHING
-        message = parse(frame, strict=False)
-        for harm, name in harms_of(message, handles=self._policy.transfers, known=known).items():
+        for harm, name in self._policy.harms(parse(frame, strict=False)).items():
             yield f"{name} {harm.text}."
 
     def _send_next(self, frames: list[bytes], turn: int, *, is_allowed: bool) -> None:
         """Sends the first of some commands, and the others once it is answered, unless something else came between."""
         if not frames or not self.is_open or turn != self._turn:
             return
-        frame, policy = frames[0], self._policy
+        frame = frames[0]
         message = parse(frame, strict=False)
 
-        def done(outcome: Outcome, job: Job | None, latency: float, reason: str) -> None:
+        def done(outcome: Outcome, latency: float, reason: str) -> None:
             self._left = max(0, self._left - 1)
-            self._answered(frame, outcome, job, latency, reason)
+            self._answered(frame, outcome, latency, reason)
             self._send_next(frames[1:], turn, is_allowed=is_allowed)
 
-        self.converse(_unasked(frame, policy) if is_allowed else policy.talk(message), done, message.counter)
+        self.converse(self._policy.talk(message, is_allowed=is_allowed), done, message.counter)
 
     def converse(self, talk: Talk, done: Done, counter: int | None = None) -> None:
         """Sends the frames of a talk.
 
         Args:
             talk: Yields the frames.
-            done: Takes the outcome, the last command with its milliseconds, and why it has no answer.
+            done: Takes the outcome, the milliseconds of the last command, and why it has no answer.
             counter: Frames with this counter keep it, and none waits for what is asked for every second.
         """
-        last: tuple[Job | None, float, str] = (None, 0.0, "")
+        last: tuple[float, str] = (0.0, "")
 
         def step(reply: bytes | None) -> None:
             try:
@@ -317,17 +312,17 @@ class RealBrick:
             if job.is_late:
                 self._show_late(job, reply, latency)
                 return
-            last = job, latency, ""
+            last = latency, ""
             step(reply)
 
-        def silent(job: Job, reason: str) -> None:
+        def silent(_: Job, reason: str) -> None:
             nonlocal last
-            last = job, 0.0, reason
+            last = 0.0, reason
             step(None)
 
         step(None)
 
-    def _answered(self, frame: bytes, outcome: Outcome, job: Job | None, latency: float, reason: str) -> None:
+    def _answered(self, frame: bytes, outcome: Outcome, latency: float, reason: str) -> None:
         command = command_spans(parse(frame, strict=False))
         if outcome.harms:
             text = " ".join(f"{name} {harm.text}." for harm, name in outcome.harms.items())
@@ -337,9 +332,8 @@ class RealBrick:
         elif outcome.reply is None:
             self._show([command, [("sent; it wants no answer", Role.ASIDE)]])
         else:
-            sent = frame if job is None else job.frame
             head: Spans = [(f"answered after {latency:.1f} ms:", Role.ASIDE)]
-            self._show([command, head, *_tree(outcome.reply, sent)])
+            self._show([command, head, *_tree(outcome.reply, frame)])
 
     def _show_late(self, job: Job, reply: bytes | None, latency: float) -> None:
         if reply is not None:
@@ -369,7 +363,7 @@ class RealBrick:
 
     def leave(self) -> bool:
         """Closes files, and reads listings to their end. Returns whether there are any."""
-        if not self.is_open or not self._policy.transfers:
+        if not self.is_open or not self._policy.has_open:
             return False
         # Before all else.
         self.converse(self._policy.leave(), lambda *_: self.tell(hasLeft=True), counter=-1)
@@ -406,7 +400,7 @@ class RealBrick:
                 while True:
                     reply = yield command.build()
                     answer = None if reply is None else parse(reply, strict=False)
-                    if not isinstance(answer, SystemReply):
+                    if answer is None:
                         said["error"] = "the brick does not answer"
                         return Outcome()
                     command = task.send(answer)
@@ -448,9 +442,6 @@ class RealBrick:
 
     def _ask_values(self, found: list[tuple[int, int]]) -> None:
         """Asks for the values of the devices that are plugged in."""
-        # Without devices of other bricks in a chain.
-        self._known = Known({(0, _PORTS[at]): kind for at, (kind, _) in enumerate(found)})
-        self._known_since = time.monotonic()
         plugged = [(at, kind, mode) for at, (kind, mode) in enumerate(found) if kind != NO_DEVICE.number]
         drafts = tuple(input_readsi(0, _PORTS[at], 0, _NO_CHANGE) for at, _, _ in plugged)
         if not drafts:
@@ -536,7 +527,7 @@ class Comparison:
             self._brick.tell(comparing={"done": self._at, "count": len(self._steps)})
         self._brick.converse(self._replay.talk(self._steps[self._at]), self._take)
 
-    def _take(self, outcome: Outcome, job: Job | None, _: float, reason: str) -> None:
+    def _take(self, outcome: Outcome, _: float, reason: str) -> None:
         if self._is_over:
             return
         step = self._steps[self._at]
@@ -546,7 +537,7 @@ class Comparison:
             return
         self._sent += 1
         self._silent = self._silent + 1 if reason else 0
-        frame, reply = step.command.frame if job is None else job.frame, outcome.reply
+        frame, reply = outcome.frame, outcome.reply
         likeness, difference = compare(step, frame, reply, DIALECT)
         if likeness is not Likeness.SAME:
             self._differences.append(
@@ -622,13 +613,6 @@ def _adopting(frame: bytes) -> Callable[[Session], Request]:
 def _again(frame: bytes) -> Callable[[Session], Request]:
     """Returns the start of a command with a new counter."""
     return lambda session: session.command(MessageType(Header.read(frame).type), frame[HEADER_SIZE:])
-
-
-def _unasked(frame: bytes, policy: Policy) -> Talk:
-    """Sends a frame that the user has allowed."""
-    reply = yield frame
-    policy.transfers.learn(parse(frame, strict=False), None if reply is None else parse(reply, strict=False))
-    return Outcome({}, frame, reply)
 
 
 def _tree(reply: bytes, command: bytes | None) -> list[Spans]:

@@ -1,7 +1,7 @@
 """Runs a virtual brick by the real clock, and serves its connections, one frame at a time.
 
-A direct command in progress keeps the whole brick waiting, as on the real one. The next client is chosen by how much
-of the brick's time each connection has had, so that a client with endless commands cannot keep the others out.
+A direct command in progress keeps the whole brick waiting, as on the real one. The next client is the one whose
+frame has waited longest; one whose command kept others waiting rests for as long.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class Connection:
         self.ends = ends  # IP address and port of the client, and those of the brick; on WiFi only
         self.opening = opening  # the texts before the first frame, each with whether the client sent it
         self.number = 0  # counted from 1 for each connection
-        self.used = 0.0  # seconds of the brick's time that it has used
+        self.since = 0.0  # when its next frame was there
         self.rests_until = 0.0  # when it is served again, after it kept others waiting
         self.is_gone = False  # whether its client has disconnected; earlier frames are still served, and not answered
         self._host = host
@@ -150,7 +150,7 @@ class Connection:
     def _look(self) -> None:
         """Takes the next frame out of the buffer, if it is whole."""
         if self._frame is None and isinstance(frame := self._incoming.next(), bytes):
-            self._frame = frame
+            self._frame, self.since = frame, asyncio.get_running_loop().time()
             if (said := advice(foreign(frame))) is not None:
                 self._host.say_once(f"{self.name}: {said}")
 
@@ -215,7 +215,6 @@ class Host:
         self._is_serving = self._is_stopped = False
         self._now = 0
         self._count = 0
-        self._virtual = 0.0
         self._current: tuple[Connection, float] | None = None
         self._was_said: set[str] = set()
         self._schedule()
@@ -323,18 +322,16 @@ class Host:
                 self.say(f"a defect of {type(observer).__name__}, which sees nothing more, {REPORT_IT}: {error!r}")
 
     def _next(self) -> Connection | None:
-        """Returns the connection with a frame that has had the least of the brick's time."""
+        """Returns the connection whose frame has waited longest: a new one is the last, and none waits for ever."""
         best: Connection | None = None
         now = self._loop.time()
         for connection in self.connections:
             is_free = connection.rests_until <= now and not self.brick.is_working_for(connection)
-            if connection.is_ready and is_free and (best is None or connection.used < best.used):
+            if connection.is_ready and is_free and (best is None or connection.since < best.since):
                 best = connection
         return best
 
     def _take_up(self, connection: Connection) -> None:
-        # Idle clients do not save up time.
-        connection.used = self._virtual = max(connection.used, self._virtual)
         self._current = (connection, self._loop.time())
         frame = connection.take()
         if self.observers:
@@ -358,7 +355,6 @@ class Host:
             connection, begin = self._current
             self._current = None
             now = self._loop.time()
-            connection.used += now - begin
             if now - begin > _LONG and self._is_awaited(connection):
                 connection.rests_until = now + min(now - begin, PATIENCE)
 

@@ -15,11 +15,11 @@ from ev3proto.whole_files import GrowingFile
 class Recorder:
     """Writes a pcapng file while the brick is on."""
 
-    def __init__(self, path: Path, say: Say) -> None:
-        """Opens the file, and empties it. Raises OSError if it cannot be written."""
+    def __init__(self, path: Path, say: Say, *, force: bool = False) -> None:
+        """Opens the file. Raises OSError if it cannot be written."""
         self._say = say
         self._path = path
-        self._stream = GrowingFile(path)
+        self._stream = GrowingFile(path, force=force)
         self._recording = Recording(cast(BinaryIO, self._stream))
         self._is_open = True
 
@@ -51,8 +51,9 @@ class Recorder:
         self._try(lambda: self._recording.closed(connection))
 
     def close(self) -> None:
-        """Ends all connections and the file."""
-        self._try(self._recording.close)
+        """Ends all connections and the file. Without a packet, the file is as it was."""
+        if self.packets:
+            self._try(self._recording.close)
         if self._is_open:
             self._is_open = False
             try:

@@ -49,6 +49,7 @@ class Options:
     page: int | None = None  # TCP port of the page, 0 for any that is free; None: no page
     faults: Faults = field(default_factory=Faults)  # the deliberate faults of replies
     record: Path | None = None  # file for a capture of the connections
+    force: bool = False  # whether that file may exist
     report: bool = False  # whether clients' frames are checked
     screenshot: Path | None = None  # file for a picture of the display at the end
     script: Script = field(default_factory=Script)  # the devices, and events over time
@@ -93,7 +94,7 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         if options.screenshot is not None:
             _expect_place(options.screenshot)
             stack.callback(_save_screenshot, brick, options.screenshot, say)
-        recorder = None if options.record is None else _recorder(options.record, say)
+        recorder = None if options.record is None else _recorder(options.record, say, options.force)
         if recorder is not None:
             host.observers.append(recorder)
             stack.callback(recorder.close)
@@ -168,9 +169,9 @@ def _expect_place(path: Path) -> None:
         raise ServerError(f"{path}: cannot be written: {reason}")
 
 
-def _recorder(path: Path, say: Say) -> Recorder:
+def _recorder(path: Path, say: Say, force: bool) -> Recorder:
     try:
-        return Recorder(path, say)
+        return Recorder(path, say, force=force)
     except OSError as error:
         raise ServerError(f"{path}: cannot be written: {error.strerror or error}") from None
 

@@ -72,6 +72,11 @@ class Wifi:
         """Begins to send beacons to a UDP port; `beacon` is called for each."""
         self._beacon = asyncio.create_task(self._announce(beacon, port))
 
+    @property
+    def has_waiting(self) -> bool:
+        """Whether a client waits until another one disconnects."""
+        return bool(self._queued)
+
     async def close(self) -> None:
         """Closes the port and all connections."""
         if self._beacon is not None:

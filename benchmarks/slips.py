@@ -288,6 +288,42 @@ def neighbours_swapped(frame: bytes, rng: Random) -> Wrong:
 
 
 @slip
+def results_left_out(frame: bytes, rng: Random) -> Wrong:
+    """As a library does it that returns values by itself."""
+    found = [one for one in operations(frame) if one.arguments and one.arguments[-1].parameter.is_output]
+    if not found or int.from_bytes(frame[5:7], "little") & 1023 == 0 or len(operations(frame)) > 1:
+        return None
+    first = next(one for one in rng.choice(found).arguments if one.parameter.is_output)
+    return changed(frame, first.offset, len(frame)), first.offset - 1, first.offset + 1
+
+
+@slip
+def cmd_third(frame: bytes, rng: Random) -> Wrong:
+    """As LEGO's Communication Developer Kit prints it."""
+    found = [one for one in operations(frame) if one.command and one.full_name.startswith("INPUT_DEVICE.")]
+    at = rng.choice(found).offset + 1 if found else 0
+    is_short = found and all(byte < 32 for byte in frame[at : at + 3]) and len(found[0].arguments) > 2
+    return (changed(frame, at, 3, frame[at + 1 : at + 3] + frame[at : at + 1]), at, at + 3) if is_short else None
+
+
+@slip
+def header_in_another_order(frame: bytes, rng: Random) -> Wrong:
+    if not is_direct(frame):
+        return frame[:2] + frame[4:6] + frame[2:4] + frame[6:], 2, 6
+    if rng.random() < 0.5:
+        return frame[:4] + frame[5:7] + frame[4:5] + frame[7:], 4, 7
+    return frame[:2] + frame[4:5] + frame[2:4] + frame[5:], 2, 5
+
+
+@slip
+def prefix_of_hex_forgotten(frame: bytes, _: Random) -> Wrong:
+    """The digits of hex are taken for decimals; those with a letter stay, and texts are written as such."""
+    if any(one.kind == "string" for each in operations(frame) for one in each.arguments) or frame[5] > 0x90:
+        return None
+    return bytes(int(text) if (text := f"{byte:x}").isdecimal() else byte for byte in frame), 0, len(frame)
+
+
+@slip
 def cmd_left_out(frame: bytes, rng: Random) -> Wrong:
     found = [one for one in operations(frame) if one.command]
     at = rng.choice(found).offset if found else 0

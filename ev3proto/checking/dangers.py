@@ -23,7 +23,7 @@ class Danger(NamedTuple):
 
     words: str
     effects: frozenset[Effect]
-    cost: float = 2.0
+    cost: float = 1.0
     is_told: bool = False
 
 

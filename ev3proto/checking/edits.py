@@ -5,8 +5,10 @@ A generator for each part of a frame: its header, the arguments of one operation
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Iterator
+from itertools import product
 from typing import NamedTuple
 
 from ev3proto.errors import counted
@@ -18,7 +20,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
 from ev3proto.semantics.judgement import judge
 from ev3proto.semantics.likelihood import CommandCode, Reading
-from ev3proto.tables.declaration import Direction, Effect, Role, Type
+from ev3proto.tables.declaration import Direction, Effect, Role, Tail, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
@@ -89,6 +91,8 @@ def left_over(frame: bytes, at: int) -> Edit:
 def header_edits(frame: bytes) -> Iterator[Edit]:
     """Yields the edits of a header, but for the length field's value and the sizes of memory."""
     yield from _of_length(frame)
+    yield from _of_order(frame)
+    yield from _of_decimals(frame)
     size = len(frame)
     if frame[2] in _COMMANDS:
         length = size.to_bytes(LENGTH_FIELD, "little")
@@ -115,6 +119,66 @@ def _of_length(frame: bytes) -> Iterator[Edit]:
             yield Edit("header-long", 2, 4, b"", extra=-1.0)
     if stated_size(frame[1:]) == size - 1:
         yield Edit("report-number", 0, 1, b"")
+
+
+def _of_order(frame: bytes) -> Iterator[Edit]:
+    counter, end = LENGTH_FIELD, COMMAND_HEADER_SIZE
+    for at, size, kinds, said in _ORDERS:
+        moved = frame[at : at + size]
+        if len(frame) > end and moved[0] in kinds and (size == 1 or moved[1] in SYSTEM_BY_NUMBER):
+            first, last = (TYPE_AT, end) if at > counter else (counter, TYPE_AT + size)
+            new = moved + frame[first:at] if at > counter else frame[at + size : last] + moved
+            yield Edit("header-order", first, last, new, (said,))
+
+
+_ORDERS = (
+    (COMMAND_HEADER_SIZE - 1, 1, DIRECT, "the type comes before the memory"),
+    (LENGTH_FIELD, 1, (MessageType.DIRECT_COMMAND_NO_REPLY,), "the counter comes before the type"),
+    (LENGTH_FIELD, 2, SYSTEM, "the counter comes before the type and the command"),
+)
+"""Where a type may be, alone or with the number of a system command, instead of its place; what would be right."""
+
+
+def _of_decimals(frame: bytes) -> Iterator[Edit]:
+    """Yields the frames whose digits of hex are the decimal digits of these bytes; those with a letter stayed."""
+    size = len(frame)
+    length = (size - LENGTH_FIELD).to_bytes(LENGTH_FIELD, "little")
+    if size <= TYPE_AT or frame[0] not in (length[0], _as_decimal(length[0])) or frame[1] != length[1]:
+        return
+    if any(byte > _MOST_DECIMAL and f"{byte:02x}".isdigit() for byte in frame[TYPE_AT:]):
+        return
+    for stays, texts in product((_STAYS, b""), (_NO_TEXT, _TEXT)):
+        new = _from_decimals(frame, stays, texts)
+        changed = [at for at in range(TYPE_AT, size) if new[at] != frame[at]]
+        if new[TYPE_AT] in _COMMANDS and (changed[:1] == [TYPE_AT] or len(changed) > 1):
+            words = f"{new[changed[0]]:02X}", f"{frame[changed[0]]:02X}"
+            extra = 0.5 * (changed[0] != TYPE_AT) + 0.5 * (not stays) + 1.0 * (texts is _NO_TEXT)
+            yield Edit("decimals", 0, size, length + new[LENGTH_FIELD:], words, extra)
+
+
+def _from_decimals(frame: bytes, stays: bytes, texts: re.Pattern[bytes]) -> bytes:
+    """Returns a frame with the bytes that the digits are in hex, but for some bytes, the counter's, and texts."""
+    new = bytearray(frame)
+    kept = {at for one in texts.finditer(frame) for at in range(*one.span())}
+    for at, byte in enumerate(frame):
+        staying = _STAYS if at < TYPE_AT else stays
+        if byte <= _MOST_DECIMAL and byte not in staying and at not in kept:
+            new[at] = int(str(byte), 16)
+    return bytes(new)
+
+
+def _as_decimal(byte: int) -> int:
+    """Returns what becomes of the digits of a byte in hex if they are taken for those of a decimal number."""
+    digits = f"{byte:x}"
+    return int(digits) if digits.isdigit() else byte
+
+
+_MOST_DECIMAL = 99
+_STAYS = bytes(byte for byte in (*range(0x30), 0x3F, *range(0x40, 0x50)) if not f"{byte:02x}".isdigit())
+"""Bytes with a letter that are likelier themselves, small numbers and -1, than others in decimal, as 3C is for 60."""
+
+
+_NO_TEXT, _TEXT = re.compile(rb"(?!)"), re.compile(rb"[A-Za-z0-9_./ -]{3,}")
 
 
 def _of_type(frame: bytes) -> Iterator[Edit]:
@@ -345,6 +409,7 @@ def operation_edits(code: CommandCode, start: int, reading: Reading) -> Iterator
         return
     facts, arguments = operation_facts(reading.schema), reading.arguments
     yield from _cut(code, facts, reading)
+    yield from _no_results(code, facts, reading)
     ends = [one.offset for one in arguments] + [reading.end]
     for number, at in enumerate(ends):
         argument = arguments[number] if number < len(arguments) else None
@@ -362,6 +427,46 @@ def _cut(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator
         new = b"".join([_filler(known, code, reading.arguments) for known in left])
         words = (", ".join(known.parameter.name for known in left), facts.name)
         yield Edit("cut", end, end, new, words, 0.5 * len(left), len(new))
+
+
+def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
+    """Yields the edit that adds variables for results, where memory is requested and nothing is stored in it."""
+    room, read = code.memory.globals, reading.arguments
+    if not room or any(one.kind == GLOBAL for _, other in code.first for one in other.arguments):
+        return
+    wanted = [known for known in facts.parameters if known.parameter.is_output]
+    inputs, new = len(facts.parameters) - len(wanted), b""
+    if reading.schema is not None and reading.schema.tail is not None:
+        wanted, new = _list_of_results(facts, reading, reading.schema.tail, room)
+        inputs = len(read)
+    if not wanted or len(read) < inputs or (len(read) > inputs and read[inputs].is_variable):
+        return
+    at, end = read[inputs].offset if len(read) > inputs else reading.end, 0
+    for known in wanted:
+        index = end + -end % known.alignment
+        new += encode_variable(Variable(GLOBAL, index))
+        end = index + known.size
+    is_exact = end == room or (wanted[-1].is_array and end <= room)
+    names = ", ".join(dict.fromkeys(known.parameter.name for known in wanted))
+    words = (names, facts.name, "is" if len(wanted) == 1 else "are", spaced(new))
+    yield Edit("no-results", at, at, new, words, 0.0 if is_exact else 1.0, 0 if is_exact else len(new))
+
+
+def _list_of_results(
+    facts: OperationFacts, reading: Reading, tail: Tail, room: int
+) -> tuple[list[ParameterFacts], bytes]:
+    """Returns the results of an operation that tells their number, and that number if it is missing, too."""
+    read, inputs = reading.arguments, len(facts.parameters)
+    element = facts.of(inputs, tail.element)
+    if not reading.is_fault or not tail.element.is_output or not inputs - 1 <= len(read) <= inputs:
+        return [], b""
+    count = min(room // element.size, _MOST_RESULTS)
+    if len(read) < inputs:
+        return [element] * count, encode_integer(count)
+    return [element] * (count if read[-1].value == count else 0), b""
+
+
+_MOST_RESULTS = 8
 
 
 def _expected(facts: OperationFacts, number: int, argument: Argument | None) -> ParameterFacts | None:
@@ -397,6 +502,11 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
     if not code.data[start:].strip(ENDS):
         yield left_over(code.data, start)
     if family is not None:
+        at = start + 1 + len(_PLACE)
+        other = family.short.get(code.data[at]) if at < len(code.data) else None
+        if other is not None and _begins_with_place(other):
+            new = code.data[at : at + 1] + code.data[start + 1 : at]
+            yield Edit("cmd-place", start + 1, at + 1, new, (family.opcode.name,))
         for cmd in family.short:
             yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (family.opcode.name,), guess=1)
     elif schema is not None and schema.declaration.parameters:
@@ -404,6 +514,13 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
             words = (schema.declaration.name, schema.declaration.parameters[-1].name, other.declaration.name)
             distance = abs(other.head[0] - schema.head[0])
             yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
+
+
+_PLACE = (Role.LAYER, Role.PORT)
+
+
+def _begins_with_place(schema: OperationSchema) -> bool:
+    return tuple(one.role for one in schema.declaration.parameters[: len(_PLACE)]) == _PLACE
 
 
 def _shorter(code: CommandCode, schema: OperationSchema) -> Iterator[OperationSchema]:

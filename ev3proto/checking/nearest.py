@@ -62,6 +62,9 @@ _COPIED = -1.5  # the length was right before a slip in copying
 _MOST_OF_REPLY = 11  # the cost of a long reply where commands are expected
 _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 
+_OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "header-order": (3.0, -2.5)}
+"""Edits after which the header requests other memory: what speaks for them if it is not, or is, what is used."""
+
 # Bounds on what is tried for one frame.
 _SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
 _MOST_READ = 40_000  # bytes of all operations that are read with an edit
@@ -302,7 +305,7 @@ class _Search:
         """Returns a frame after an edit, with a length that fits, and the cost of both."""
         new = frame[: edit.at] + edit.new + frame[edit.end :]
         price = SLIPS[edit.kind].cost + edit.extra
-        if edit.kind in ("length-missing", "report-number") or (
+        if edit.kind in ("length-missing", "report-number", "decimals") or (
             edit.kind == "left-over" and stated_size(frame) == len(new)
         ):
             return new, price
@@ -344,9 +347,12 @@ class _Search:
         price += _LARGE_COUNTER if new[3] >= 0x80 else 0.0
         if edit.kind in ("memory-missing", "memory-half"):
             new = _with_memory(new, self._dialect)
-        elif edit.kind in ("memory-swapped", "memory-shift"):
+        elif edit.kind in _OF_MEMORY and new[TYPE_AT] in DIRECT:
             shared, local, _ = _needed_memory(new, self._dialect) or NO_MEMORY
-            price += 5.0 if not shared and not local else -1.5 if (shared, local) == read_memory(new) else 0.0
+            other, exact = _OF_MEMORY[edit.kind]
+            is_exact = (shared, local) == read_memory(new)
+            is_none = not shared and not local and edit.kind != "header-order"
+            price += 5.0 if is_none else exact if is_exact else other
         return _Candidate((edit,), price, self._read(new), new)
 
     def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:

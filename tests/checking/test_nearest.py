@@ -320,3 +320,23 @@ def test_what_is_worse_than_an_accepted_frame_is_motion_or_a_name(frame: bytes) 
         assert {each.words for each in new} <= {"make motors turn", "give the brick another name"}
         assert one.harm in one.message
         assert bool(one.harm) == bool(new)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right", "kind"),
+    [
+        # As LEGO's Communication Developer Kit prints it: the CMD after LAYER and NO.
+        ("0B00 0000 00 1000 99 00 00 15 10 60", "0B00 0000 00 1000 99 15 00 00 10 60", "cmd-place"),
+        ("0900 0100 00 0200 99 05 00 10", "0B00 0100 00 0200 99 05 00 10 60 61", "no-results"),
+        ("0B00 0100 00 0400 99 1D 00 00 00 00", "0D00 0100 00 0400 99 1D 00 00 00 00 01 60", "no-results"),
+        ("0C00 0100 00 0800 99 1D 00 00 00 00 02", "0E00 0100 00 0800 99 1D 00 00 00 00 02 60 64", "no-results"),
+        ("0D00 0100 0000 80 A5 00 01 81 32 A6 00 01", "0D00 0100 80 0000 A5 00 01 81 32 A6 00 01", "header-order"),
+        ("0D00 80 2A01 0000 A5 00 01 81 32 A6 00 01", "0D00 2A01 80 0000 A5 00 01 81 32 A6 00 01", "header-order"),
+        ("0C00 81 9E 0100 04 61626300 0100 01", "0C00 0100 81 9E 04 61626300 0100 01", "header-order"),
+        ("0F00 0000 50 0000 5E 01 51 02 52 E803 52 E803", "0F00 0000 80 0000 94 01 81 02 82 E803 82 E803", "decimals"),
+        ("0C00 0100 51 9E 04 61626300 0100 01", "0C00 0100 81 9E 04 61626300 0100 01", "decimals"),
+    ],
+)
+def test_a_slip_of_another_way_to_write(wrong: str, right: str, kind: str) -> None:
+    (one,) = nearest(wrong)
+    assert (one.kind, one.frame) == (kind, bytes.fromhex(right))

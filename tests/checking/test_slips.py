@@ -18,6 +18,7 @@ LESS = {
     "byte_lost": 0.3,
     "byte_doubled": 0.7,
     "system_field_left_out": 0.0,
+    "prefix_of_hex_forgotten": 0.4,  # whether 0A is itself, or 10 in decimal
 }
 """The share of slips that lead back, where it is less than nearly all."""
 

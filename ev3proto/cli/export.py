@@ -12,7 +12,7 @@ import click
 from ev3proto.capture.record import Record
 from ev3proto.capture.text_log import DAY_NS, Clock
 from ev3proto.cli.commands import Group
-from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option
+from ev3proto.cli.options import FOLDER, FiniteRange, dialect_option, exclusive
 from ev3proto.cli.output import (
     check_option,
     failing_to,
@@ -29,7 +29,6 @@ from ev3proto.generate import output_schemas
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
 from ev3proto.generate.cheader import build as header
 from ev3proto.generate.exported import EXPORTED
-from ev3proto.generate.javascript import build as module
 from ev3proto.generate.kaitai import build as description
 from ev3proto.generate.tables_json import build as tables
 from ev3proto.reading.options import Options, Sources
@@ -78,16 +77,22 @@ def kaitai(dialect: str, output: Path | None, check: bool) -> None:
 
 
 @export.command()
-@click.option("--types", is_flag=True, help="Write ev3.d.ts, the types of the functions, for TypeScript.")
+@click.option("--decoder", is_flag=True, help="Write ev3-decode.mjs, which reads frames, streams and dialogues.")
+@click.option("--texts", is_flag=True, help="Write ev3-texts.mjs: operations and parameters in words.")
+@click.option("--types", is_flag=True, help="Write the types of the module, .d.ts, for TypeScript.")
 @output_options
-def javascript(types: bool, output: Path | None, check: bool) -> None:
+@exclusive("--decoder", "--texts")
+def javascript(decoder: bool, texts: bool, types: bool, output: Path | None, check: bool) -> None:
     """Writes ev3.mjs: names of numbers, and functions that make frames, for Node and browsers.
 
     \b
       ev3proto export javascript -o ev3.mjs
       ev3proto export javascript --types -o ev3.d.ts
+      ev3proto export javascript --decoder -o ev3-decode.mjs
+      ev3proto export javascript --decoder --types -o ev3-decode.d.ts
     """  # noqa: D301
-    write_text(module.build_types() if types else module.build(), output, check=check)
+    name = "ev3-decode" if decoder else "ev3-texts" if texts else "ev3"
+    write_text(EXPORTED[f"{name}.d.ts" if types else f"{name}.mjs"](), output, check=check)
 
 
 @export.command("json")

@@ -8,6 +8,7 @@ from functools import partial
 from ev3proto.generate import output_schemas
 from ev3proto.generate.cheader import build as cheader
 from ev3proto.generate.javascript import build as javascript
+from ev3proto.generate.javascript import decoder
 from ev3proto.generate.kaitai import build as kaitai
 from ev3proto.generate.tables_json import build as tables_json
 
@@ -17,6 +18,12 @@ EXPORTED: dict[str, Callable[[], str]] = {
     javascript.MODULE_NAME: javascript.build,
     javascript.TYPES_NAME: javascript.build_types,
     javascript.TYPES_OF_MODULE_NAME: javascript.build_types_of_module,
+    decoder.DECODER_NAME: decoder.build_decoder,
+    decoder.DECODER_TYPES_NAME: decoder.build_decoder_types,
+    "ev3-decode.d.mts": partial(javascript.build_types_of_module, decoder.DECODER_NAME),
+    decoder.TEXTS_NAME: decoder.build_texts,
+    decoder.TEXTS_TYPES_NAME: decoder.build_texts_types,
+    "ev3-texts.d.mts": partial(javascript.build_types_of_module, decoder.TEXTS_NAME),
     tables_json.TABLES_NAME: tables_json.build_tables,
     tables_json.SCHEMA_NAME: tables_json.build_schema,
     output_schemas.FILE_NAME: output_schemas.build,

@@ -174,12 +174,14 @@ def test_the_generator_writes_functions_of_all_operations(clone: Path) -> None:
     assert "func InitBytes(aDestination Arg, values ...Arg) []byte" in functions
 
 
-def test_the_module_makes_what_is_shown(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [-2, -1], ids=["make", "read"])
+def test_the_modules_make_and_read_what_is_shown(tmp_path: Path, number: int) -> None:
     page = ROOT / "docs" / "howto" / "javascript.md"
-    (tmp_path / "ev3.mjs").symlink_to(ROOT / "exports" / "ev3.mjs")
-    (tmp_path / "program.mjs").write_text(blocks(page, "javascript")[-1])
+    for name in ("ev3.mjs", "ev3-decode.mjs"):
+        (tmp_path / name).symlink_to(ROOT / "exports" / name)
+    (tmp_path / "program.mjs").write_text(blocks(page, "javascript")[number])
     done = run_program("node", "program.mjs", cwd=tmp_path)
-    assert done.stdout == blocks(page, "text")[-1]
+    assert done.stdout == blocks(page, "text")[number]
 
 
 def test_the_c_programs_print_what_is_shown(tmp_path: Path) -> None:
@@ -195,8 +197,8 @@ def test_the_c_programs_print_what_is_shown(tmp_path: Path) -> None:
 
 def test_the_javascript_program_reads_the_frame(tmp_path: Path) -> None:
     page = ROOT / "docs" / "howto" / "javascript.md"
-    compiling, reading, _ = blocks(page, "javascript")
-    shown, _ = blocks(page, "text")
+    compiling, reading, *_ = blocks(page, "javascript")
+    shown, *_ = blocks(page, "text")
     (tmp_path / "ev3.ksy").symlink_to(ROOT / "exports" / "ev3.ksy")
     # Where bin/setup has installed what the page tells its readers to install.
     compiler = os.environ.get("EV3PROTO_KSC")

@@ -1,4 +1,4 @@
-"""The JavaScript module: the numbers of the tables by name, and a function for each operation and system command.
+"""JavaScript: `build` joins ev3.mjs, which makes frames, and `decoder` ev3-decode.mjs, which reads them.
 
-`runtime.mjs` and `runtime.d.ts` are written by hand, `tables` writes the rest, `build` joins them into two files.
+`.mjs` and `.d.ts` files here are written by hand; `tables` and `typescript` write the rest from tables and schemas.
 """

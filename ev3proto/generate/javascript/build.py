@@ -74,9 +74,9 @@ def build_types() -> str:
     return "\n".join(lines) + "\n"
 
 
-def build_types_of_module() -> str:
-    """Returns the text of ev3.d.mts."""
-    return 'export * from "./ev3.js";\n'
+def build_types_of_module(name: str = MODULE_NAME) -> str:
+    """Returns the text of the file in which TypeScript looks for the types of a module: ev3.d.mts."""
+    return f'export * from "./{name.removesuffix(".mjs")}.js";\n'
 
 
 def _written(name: str) -> str:

@@ -1,0 +1,484 @@
+// The tables by number and name
+
+const byNumber = (list) => new Map(list.map((each) => [each.number, each]));
+const kinds = Object.fromEntries(TABLES.types.map((each) => [each.name, each]));
+const formats = new Map(TABLES.format_types.map(({ format, type }) => [format, kinds[type]]));
+const { DATA8, DATA16, DATA32, DATAF, handle: HANDLE, string: STRING, label: LABEL, "array-typed": UNTYPED } = kinds;
+const types = byNumber(TABLES.message_types), system = byNumber(TABLES.system_commands), daisy = byNumber(TABLES.daisy_commands);
+const statuses = byNumber(TABLES.system_statuses), devices = byNumber(TABLES.devices);
+
+/** What each identification byte says. */
+const forms = [];
+for (const { first, last, name, kind, value, width = null, handle = false, address = false } of TABLES.encodings) {
+  for (let byte = first; byte <= last; byte++) {
+    forms[byte] = { encoding: name, kind, width, handle, address, value: value === undefined ? null : value + byte - first };
+  }
+}
+
+/** Returns what is known of an operation: its names, its parameters, and the list at its end. */
+const declared = (opcode, command = null) => {
+  const { parameters = [] } = command ?? opcode, fixed = parameters.map((each) => ({ ...each, kind: kinds[each.type] }));
+  const entry = { op: opcode.name, command: command?.name ?? null, fixed, tail: null, reading: parameters.find(({ role }) => role)?.role };
+  const last = fixed.at(-1);
+  if (!last?.element && !last?.element_from) return entry;
+  const element = { ...last, direction: last.elements, kind: kinds[last.element] ?? UNTYPED };
+  if (last.type === "values") fixed.pop();
+  return { ...entry, tail: { hasOwnCount: last.type === "count", element, typedBy: last.element_from, made: {} } };
+};
+
+/** Returns the operations of a dialect: by the numbers of opcode and CMD, and by name. */
+const read = (dialect) => {
+  const opcodes = [], byName = new Map(), has = ({ dialects = TABLES.dialects }) => dialects.includes(dialect);
+  const add = (...given) => {
+    const entry = declared(...given);
+    byName.set(nameOfOperation(entry), entry);
+    return entry;
+  };
+  for (const opcode of Object.values(TABLES.areas).flat().filter(has)) {
+    const cmds = opcode.commands?.filter(has).map((each) => [each.number, add(opcode, each)]);
+    opcodes[opcode.number] = { name: opcode.name, plain: cmds ? null : add(opcode), cmds: cmds ? new Map(cmds) : null };
+  }
+  return { dialect, opcodes, byName };
+};
+const sets = {};
+const instructions = (dialect) => (sets[dialect] ??= read(dialect));
+const nameOfOperation = ({ op, command }) => (command === null ? op : `${op}.${command}`);
+
+/** Returns the parameter of an argument, which for an element of a list may depend on the arguments before it. */
+const parameterOf = ({ fixed, tail }, args, index) => {
+  if (index < fixed.length) return fixed[index];
+  const format = args.find(({ name, kind }) => name === tail.typedBy && kind === "constant")?.value;
+  const kind = formats.get(Math.trunc(format)) ?? tail.element.kind;
+  const made = (tail.made[kind.name] ??= []), number = index - fixed.length;
+  return (made[number] ??= { ...tail.element, kind, name: `${tail.element.name}[${number}]` });
+};
+
+// Values
+
+const hexOfByte = Array.from({ length: 256 }, (_, byte) => byte.toString(16).padStart(2, "0"));
+const hexOf = (bytes) => { let text = ""; for (const byte of bytes) text += hexOfByte[byte]; return text; };
+const textOf = (bytes) => { let text = ""; for (const byte of bytes) text += String.fromCharCode(byte); return text; };
+const shown = (byte) => `0x${hexOfByte[byte].toUpperCase()}`;
+const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
+const viewOf = (bytes) => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+const READERS = new Map([[DATA8, "getInt8"], [DATA16, "getInt16"], [HANDLE, "getInt16"], [DATA32, "getInt32"], [DATAF, "getFloat32"]]);
+const numberAt = (bytes, kind, at) => viewOf(bytes)[READERS.get(kind)](at, true);
+const unsigned = (bytes, at, size) => { let value = 0; for (let index = size; index-- > 0;) value = value * 256 + bytes[at + index]; return value; };
+
+/** Returns a value as JSON has it: bytes as hex, and numbers that are not finite as texts. */
+const plain = (value) => {
+  if (value instanceof Uint8Array) return hexOf(value);
+  if (Array.isArray(value)) return value.map(plain);
+  if (typeof value !== "number" || Number.isFinite(value)) return value;
+  return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+};
+
+/** Returns the name of a number; null for none. */
+const nameOf = ({ members, flags = false }, value) => {
+  const pairs = Object.entries(members), found = pairs.find(([, number]) => number === value);
+  if (found || !flags || !value) return found?.[0] ?? null;
+  const parts = pairs.filter(([, number]) => (value & number) === number), sum = parts.reduce((all, [, number]) => all + number, 0);
+  return parts.length && sum === (value & 0xff) ? parts.map(([name]) => name).join("|") : null;
+};
+
+// Operations
+
+/** What is wrong, and where; `truncated` if more bytes could mend it. */
+class Fault { constructor(offset, reason, truncated = false) { Object.assign(this, { offset, reason, truncated }); } }
+
+/** Whether an argument is a float: a constant of four bytes, where the parameter is one. */
+const isFloat = ({ kind, length }, parameter) => parameter.kind === DATAF && kind === "constant" && length === 5;
+const LETTERS = { local: "L", global: "G" };
+const isVariable = ({ kind }) => kind in LETTERS;
+
+/** Reads an argument into a list. Returns the offset after it. */
+const readArgument = (data, at, end, parameter, args) => {
+  const { name } = parameter, form = forms[data[at]];
+  if (at >= end) throw new Fault(end, `the frame ends before the argument ${name}`, true);
+  if (!form) throw new Fault(at, `undefined identification byte ${shown(data[at])} (argument ${name})`);
+  const { kind, encoding, width, handle, address } = form;
+  const argument = { name, kind, encoding, value: form.value, offset: at, length: 1 };
+  if (width === null) {
+    const zero = data.subarray(0, end).indexOf(0, at + 1);
+    if (zero < 0) throw new Fault(at, `the string ${name} runs past the end of the frame: its terminating zero is missing`, true);
+    argument.value = textOf(data.subarray(at + 1, zero));
+    argument.length = zero + 1 - at;
+  } else if (form.value === null) {
+    argument.length = 1 + width;
+    const missing = at + 1 + width - end;
+    if (missing > 0) throw new Fault(at, `the argument ${name} runs past the end of the frame: ${encoding} needs ${counted(missing, "more byte")}`, true);
+    const value = unsigned(data, at + 1, width), isNegative = value >= 2 ** (8 * width - 1) && !isVariable(form);
+    argument.value = isFloat(argument, parameter) ? plain(numberAt(data, DATAF, at + 1)) : isNegative ? value - 2 ** (8 * width) : value;
+  }
+  if (handle) argument.handle = true;
+  if (address) argument.address = true;
+  const names = !isVariable(form) && !isFloat(argument, parameter) && TABLES.enumerations[parameter.enum];
+  const symbol = names ? nameOf(names, argument.value) : null;
+  if (symbol !== null) argument.symbol = symbol;
+  args.push(argument);
+  return at + argument.length;
+};
+
+const CMD = { name: "CMD", kind: DATA8 };
+
+/** Returns the entry at an opcode, CMD where it has one, and the offset after them. */
+const select = (data, at, end, { opcodes, dialect }) => {
+  const opcode = opcodes[data[at]];
+  if (!opcode) throw new Fault(at, `unknown opcode ${shown(data[at])} for the ${dialect} firmware`);
+  if (opcode.plain) return [opcode.plain, null, at + 1];
+  const args = [], next = readArgument(data, at + 1, end, CMD, args), [cmd] = args;
+  if (cmd.kind !== "constant") throw new Fault(at + 1, `CMD of ${opcode.name} is ${isVariable(cmd) ? `${LETTERS[cmd.kind]}V(${cmd.value})` : `a ${cmd.kind}`}, but must be a constant`);
+  const entry = opcode.cmds.get(cmd.value);
+  if (entry) return [entry, cmd, next];
+  const first = [...opcode.cmds].sort(([one], [other]) => one - other).slice(0, 3).map(([number, { command }]) => `${number} ${command}`);
+  throw new Fault(at + 1, `${opcode.name} has no CMD ${cmd.value} (it has ${first.join(", ")}, ...)`);
+};
+
+/** Returns how many values of a list follow, for which there is some room. */
+const countOf = ({ hasOwnCount }, { name, kind, value, offset }, room) => {
+  const most = TABLES.frame.most_counted, bound = hasOwnCount ? Math.min(room, most) : room;
+  if (kind !== "constant" || typeof value !== "number") throw new Fault(offset, `${name} must be a constant: it is the number of values that follow`);
+  if (value >= 0 && value <= bound) return value;
+  throw new Fault(offset, `${name} cannot be ${value}: there is room for 0 to ${bound} values`, value >= 0 && value <= most);
+};
+
+/** Returns the argument of a parameter that is a constant whole number, null for any other. */
+const wholeOf = (name, fixed, args) => {
+  const index = fixed.findIndex((each) => each.name === name), argument = args[index];
+  const isWhole = argument?.kind === "constant" && !argument.handle && !argument.address && !isFloat(argument, fixed[index]);
+  return isWhole ? argument.value : null;
+};
+
+/** Adds what the arguments receive from a device, where type and mode tell it. */
+const addReadings = ({ fixed, tail, reading }, args) => {
+  const mode = devices.get(wholeOf("TYPE", fixed, args))?.modes[wholeOf("MODE", fixed, args)];
+  if (!mode || (reading === "RAW_READING" && mode.is_scaled)) return;
+  args.slice(fixed.length - (tail ? 0 : 1)).forEach((argument, index) => {
+    const { name, unit } = mode.values[index] ?? {};
+    if (name && !argument.handle) Object.assign(argument, unit ? { quantity: name, unit } : { quantity: name });
+  });
+};
+
+/** Reads operations in a row. Returns them, the offset after them, and what is wrong there. */
+const readOperations = (data, start, set) => {
+  const operations = [], end = data.length;
+  let at = start;
+  while (at < end) {
+    const args = [], operation = { op: "", opcode: data[at], command: null, offset: at, length: 0, args };
+    let entry = null, cmd;
+    try {
+      [entry, cmd, at] = select(data, at, end, set);
+      operation.op = entry.op;
+      operation.command = entry.command;
+      for (const parameter of entry.fixed) at = readArgument(data, at, end, parameter, args);
+      const last = entry.tail ? args.length + countOf(entry.tail, args.at(-1), end - at) : 0;
+      while (args.length < last) at = readArgument(data, at, end, parameterOf(entry, args, args.length), args);
+    } catch (fault) {
+      if (!(fault instanceof Fault)) throw fault;
+      if (entry?.reading) addReadings(entry, args);
+      if (entry) operations.push({ ...operation, length: at - operation.offset, complete: false });
+      return { operations, at, fault };
+    }
+    if (entry.reading) addReadings(entry, args);
+    operation.length = at - operation.offset;
+    if (cmd && cmd.length > 1) operation.command_encoding = cmd.encoding;
+    operations.push(operation);
+  }
+  return { operations, at, fault: null };
+};
+
+// System messages
+
+const SIZES = { u8: 1, u16: 2, u32: 4 };
+
+/** Returns the value of a field and its size. */
+const readField = (data, at, { name, kind }, counter, length) => {
+  const left = data.length - at, size = SIZES[kind];
+  if (size && left < size) throw new Fault(at, `the frame ends before the field ${name} (${kind})`, true);
+  if (size) return [unsigned(data, at, size), size];
+  if (kind === "text") {
+    const zero = data.indexOf(0, at);
+    if (zero < 0) throw new Fault(at, `the text ${name} runs past the end of the frame: its terminating zero is missing`, true);
+    return [textOf(data.subarray(at, zero)), zero + 1 - at];
+  }
+  if (kind === "counted text") {
+    if (left < length) throw new Fault(at, `a text of ${length} bytes runs past the end of the frame`, true);
+    if (length && data[at + length - 1] === 0) return [textOf(data.subarray(at, at + length - 1)), length];
+    if (left === length) throw new Fault(at, "the terminating zero of a text is missing", true);
+    const zero = data[at + length];
+    if (zero) throw new Fault(at + length, `a text of ${length} bytes must end with a zero, not with ${shown(zero)}`);
+    return [textOf(data.subarray(at, at + length)), length + 1];
+  }
+  if (length !== undefined && length !== left) throw new Fault(at, `${counter} says ${length} bytes, but ${left} follow to the end of the frame`);
+  return [kind === "listing" ? textOf(data.subarray(at)) : data.subarray(at), left];
+};
+
+/** Reads the fields of a system message. `places` has the offset and length of each. */
+const readFields = (list, data, begin, mayEnd) => {
+  const fields = {}, places = {}, counters = Object.fromEntries(list.map(({ name, counts }) => [counts, name]));
+  let at = begin;
+  try {
+    for (const field of list) {
+      if (at === data.length && (field.optional || mayEnd)) break;
+      const [value, length] = readField(data, at, field, counters[field.name], fields[counters[field.name]]);
+      fields[field.name] = value;
+      places[field.name] = { offset: at, length };
+      at += length;
+    }
+  } catch (fault) {
+    if (!(fault instanceof Fault)) throw fault;
+    return { fields, places, at, fault };
+  }
+  const left = data.length - at;
+  return { fields, places, at, fault: left ? new Fault(at, `${counted(left, "byte")} left over after the last field`) : null };
+};
+const plainFields = (fields) => Object.fromEntries(Object.entries(fields).map(([name, value]) => [name, plain(value)]));
+
+// What bytes may mean: a message to a mailbox, and the memory of a reply whose command is not known
+
+const isPrintable = (bytes) => bytes.every((byte) => (byte >= 0x20 && byte < 0x7f) || byte >= 0xa0);
+const isLikely = (number) => number === 0 || Number.isNaN(number) || (Math.abs(number) >= 1e-6 && Math.abs(number) < 1e7);
+const orNone = (found) => (Object.keys(found).length ? { readings: found } : {});
+
+const readings = (bytes) => {
+  const found = {}, zero = bytes.indexOf(0), text = bytes.subarray(0, -1), isNumber = bytes.length === 4;
+  if (bytes.length === 1 && bytes[0] < 2) found.logic = bytes[0] === 1;
+  if (isNumber) found.number = plain(numberAt(bytes, DATAF, 0));
+  if (zero >= 0 && zero === bytes.length - 1 && (!isNumber || isPrintable(text))) found.text = textOf(text);
+  return orNone(found);
+};
+
+const guesses = (memory) => {
+  const found = {}, zero = memory.indexOf(0), text = memory.subarray(0, Math.max(zero, 0)), size = [4, 2, 1].find((each) => memory.length % each === 0);
+  if (zero > 1 && isPrintable(text) && memory.subarray(zero).every((byte) => byte === 0)) found.string = textOf(text);
+  if (!memory.length || memory.length > size * 8) return orNone(found);
+  for (const kind of [DATAF, DATA32, DATA16, DATA8].filter((each) => each.size === size)) {
+    const numbers = Array.from({ length: memory.length / size }, (_, index) => numberAt(memory, kind, index * size));
+    if (kind !== DATAF || numbers.every(isLikely)) found[kind.name] = plain(numbers.length > 1 ? numbers : numbers[0]);
+  }
+  return orNone(found);
+};
+
+// Replies to direct commands: the memory, by the outputs of the command
+
+/** Returns how many values of an array an operation writes; null if it does not say. */
+const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, { fixed }, args) => {
+  if (length !== undefined) return length;
+  const count = wholeOf(from ?? indexedBy, fixed, args);
+  if (count === null) return null;
+  if (from === undefined) return count >= 0 ? count + 1 : null;
+  return count === -1 && kind === STRING ? null : Math.abs(count);
+};
+
+/** Returns the outputs of an operation in global memory: where each begins, and its end if the operation says it. */
+const outputsOf = (operation, { byName }) => {
+  const entry = byName.get(nameOfOperation(operation)), { args } = operation;
+  return args.flatMap((argument, index) => {
+    const parameter = parameterOf(entry, args, index), { kind, direction = "in" } = parameter, isElement = index >= entry.fixed.length;
+    if (argument.kind !== "global" || direction === "in" || argument.address) return [];
+    const start = argument.value, isArray = (parameter.length ?? parameter.length_from ?? parameter.indexed_by) !== undefined;
+    if (argument.handle) return [{ argument, kind: HANDLE, start, end: start + 2, isArray: false, parameter: {} }];
+    const count = isArray ? lengthOf(parameter, isElement ? { fixed: [] } : entry, args) : 1;
+    const hasLength = parameter.length !== undefined || parameter.length_from !== undefined;
+    const isOpen = count === null || (kind === STRING && !hasLength) || (kind === UNTYPED && isElement);
+    return [{ argument, kind, start, end: isOpen ? null : start + Math.max(kind.size ?? 1, 1) * count, isArray: hasLength, parameter }];
+  });
+};
+
+const replyValues = ({ operations }, memory, set) => operations.flatMap((operation) => {
+  const outputs = outputsOf(operation, set), all = memory.length;
+  return outputs.flatMap(({ argument, kind: stated, start, end, isArray, parameter }) => {
+    const names = TABLES.enumerations[parameter.enum], stop = end === null ? all : Math.min(end, all);
+    let kind = stated, value, length, symbol = null;
+    if (kind === LABEL || start >= all) return [];
+    if (kind === STRING) {
+      const piece = memory.subarray(start, Math.max(start, stop)), zero = piece.indexOf(0);
+      length = zero < 0 ? piece.length : zero;
+      value = textOf(piece.subarray(0, length));
+    } else if (isArray && kind !== UNTYPED) {
+      length = Math.floor((stop - start) / kind.size) * kind.size;
+      if (length < 1) return [];
+      value = Array.from({ length: length / kind.size }, (_, index) => numberAt(memory, kind, start + index * kind.size));
+      if (names) symbol = value.map((each) => nameOf(names, each));
+    } else {
+      const room = Math.min(all, ...outputs.map((each) => each.start).filter((each) => each > start)) - start;
+      if (kind === UNTYPED) kind = [DATA32, DATA16, DATA8].find(({ size }) => size <= room);
+      length = kind.size;
+      if (start + length > all) return [];
+      value = numberAt(memory, kind, start);
+      if (names && stated !== UNTYPED && kind !== DATAF) symbol = nameOf(names, value);
+    }
+    const found = { op: operation.op, command: operation.command, name: argument.name, value: plain(value), type: kind.name, offset: 5 + start, length };
+    const { quantity, unit = quantity ? undefined : parameter.unit } = argument;
+    if (unit) found.unit = unit;
+    if (quantity) found.quantity = quantity;
+    return [symbol === null ? found : { ...found, symbol }];
+  });
+});
+
+// Frames
+
+const MOST = TABLES.frame.most_bytes;
+const cut = (data, what) => new Fault(data.length, `the frame ends before ${what}`, true);
+const unknown = (number, what = "system command") => new Fault(5, `unknown ${what} ${shown(number)}`);
+
+/** What is in a message, by its kind: its keys, the fault, and the offset from which on nothing was read. */
+const BODIES = {
+  "direct-command": (data, { set }) => {
+    if (data.length < 7) return { globals: 0, locals: 0, operations: [], at: 5, fault: cut(data, "the two bytes that request memory") };
+    const memory = unsigned(data, 5, 2), bits = TABLES.frame.global_bits, { operations, at, fault } = readOperations(data, 7, set);
+    return { globals: memory % 2 ** bits, locals: memory >> bits, operations, at, fault };
+  },
+  "direct-reply": (data, { isError, request, set }) => {
+    const memory = data.subarray(5), isRead = !isError && request?.kind === "direct-command";
+    const found = request ? { values: isRead ? replyValues(request, memory, set) : [] } : guesses(memory);
+    return { status: isError ? "error" : "ok", memory: hexOf(memory), ...found };
+  },
+  "system-command": (data) => {
+    const number = data[5], entry = system.get(number), found = { command: entry?.name ?? null, number: number ?? 0, fields: {}, at: 6 };
+    if (number === undefined) return { ...found, fault: cut(data, "the system command"), at: 5 };
+    if (!entry) return { ...found, fault: unknown(number) };
+    const { fields, at, fault } = readFields(entry.request, data, 6, false), message = entry.request.find((each) => each.is_message);
+    const payload = fields[message?.name];
+    return { ...found, fields: plainFields(fields), ...(payload ? readings(payload) : {}), at, fault };
+  },
+  "system-reply": (data, { isError }) => {
+    if (data.length < 7) {
+      const fault = cut(data, "the command answered and the status");
+      return { command: null, number: 0, status: isError ? "error" : "ok", status_code: 0, fields: {}, values: [], at: 5, fault };
+    }
+    const [number, code] = data.subarray(5), entry = system.get(number), status = statuses.get(code);
+    const found = { command: entry?.name ?? null, number, status: isError || !status || status.is_failure ? "error" : "ok" };
+    if (status) found.status_name = status.name;
+    found.status_code = code;
+    if (entry?.statuses?.[code]) found.status_meaning = entry.statuses[code];
+    if (!entry) return { ...found, fields: {}, values: [], at: 7, fault: unknown(number) };
+    const { fields, places, at, fault } = readFields(entry.reply, data, 7, isError || code !== 0);
+    const values = entry.reply.filter(({ name }) => name in fields).map(({ name, kind }) => (
+      { op: entry.name, command: null, name, value: plain(fields[name]), type: kind, ...places[name] }
+    ));
+    return { ...found, fields: plainFields(fields), values, at, fault };
+  },
+  "daisy-command": (data, { set }) => {
+    const isCut = data.length < 8, [number, layer_from, layer_to] = isCut ? [0, 0, 0] : data.subarray(5), entry = isCut ? null : daisy.get(number);
+    const { operations, fault } = entry?.carries_operations ? readOperations(data, 8, set) : { operations: [] };
+    const found = { command: entry?.name ?? null, number, fields: { layer_from, layer_to, payload: hexOf(data.subarray(8)) }, operations: fault ? [] : operations };
+    return isCut ? { ...found, at: 5, fault: cut(data, "the sub-command and the two layers") } : { ...found, fault: entry ? null : unknown(number, "daisy sub-command") };
+  },
+  "daisy-reply": (data, { isError }) => {
+    const isCut = data.length < 7, [layer_from, layer_to] = isCut ? [0, 0] : data.subarray(5), payload = data.subarray(7), end = 5 + TABLES.frame.sensor_data;
+    const fields = { layer_from, layer_to, payload: hexOf(payload) }, found = { status: isError ? "error" : "ok", fields };
+    if (payload.length > end) {
+      ["layer", "port", "status", "type", "mode"].forEach((name, index) => { fields[name] = payload[index]; });
+      Object.assign(fields, { data: hexOf(payload.subarray(5, end)), checksum: payload[end], busy: hexOf(payload.subarray(end + 1)) });
+    }
+    return isCut ? { ...found, at: 5, fault: cut(data, "the two layers") } : found;
+  },
+};
+
+/** Whether a frame may have a length: some system commands may be longer than all others. */
+const isPossible = (data, length, type) => {
+  const mayBeLong = type?.kind === "system-command" && (data.length < 6 || system.get(data[5])?.is_long);
+  return length >= 3 && (length + 2 <= MOST || mayBeLong);
+};
+const impossible = (length) => `the length field says ${length}; it can be 3 to ${MOST - 2}`;
+
+/** Returns what is wrong with a frame outside its body. */
+const envelopeFault = (data, length, type) => {
+  const size = data.length, end = length + 2, command = type?.kind === "system-command" ? system.get(data[5]) : undefined;
+  if (!isPossible(data, length, type)) return new Fault(0, size === end && size > MOST ? `the frame has ${size} bytes; the maximum is ${MOST}` : impossible(length));
+  if (size < end) return new Fault(0, `the frame is cut off: its length field says that ${length} bytes follow, but ${size - 2} do`, true);
+  if (size === end) return type ? null : new Fault(4, `unknown message type ${shown(data[4])}`);
+  const hint = ". From a brick on a USB 3 port this is a known fault of its bootloader: the reply to $ with the request written over its first bytes";
+  const odd = type?.name === "SYSTEM_COMMAND_REPLY" && command?.bootloader ? hint.replace("$", command.name) : "";
+  return new Fault(end, `the frame is longer than its length field says: ${length} bytes should follow it, but ${size - 2} do${odd}`);
+};
+
+/** Returns what a frame says, as `ev3proto decode --json` prints it. `request` is the command that a reply answers: a frame, or its object. */
+export const decode = (frame, { request = null, dialect = "official" } = {}) => {
+  if (!TABLES.dialects.includes(dialect)) throw new RangeError(`unknown dialect ${dialect}; it can be ${TABLES.dialects.join(", ")}`);
+  if (request instanceof Uint8Array) return decode(frame, { request: decode(request, { dialect }), dialect });
+  const size = frame.length, hex = hexOf(frame);
+  if (size < 5) {
+    const fault = { offset: size, reason: `a frame has at least 5 bytes (length, counter, type), this one has ${size}` };
+    return { kind: "unknown", fault, ...(size ? { rest: hex } : {}), hex };
+  }
+  const length = unsigned(frame, 0, 2), counter = unsigned(frame, 2, 2), type = types.get(frame[4]), isWrong = length + 2 !== size;
+  const outer = envelopeFault(frame, length, type);
+  if (!type) return { kind: "unknown", ...(isWrong ? { length } : {}), fault: { offset: outer.offset, reason: outer.reason }, rest: hex, hex };
+  const data = isWrong ? frame.subarray(0, Math.max(length + 2, 5)) : frame;
+  const { at = data.length, fault = null, ...keys } = BODIES[type.kind](data, { isError: type.is_error === true, request, set: instructions(dialect) });
+  const message = { kind: type.kind, type: type.name, length, counter, ...keys };
+  if (outer || fault) {
+    const { offset, reason } = outer ?? fault, isBoth = outer && fault && !fault.truncated;
+    message.fault = { offset, reason: isBoth ? `${reason}; and at offset ${fault.offset}: ${fault.reason}` : reason };
+    const rest = hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length));
+    if (rest) message.rest = rest;
+  }
+  message.hex = hex;
+  return message;
+};
+
+// Streams and dialogues
+
+/** Cuts a stream of bytes into frames, wherever its chunks end. */
+export class Frames {
+  /** The bytes of the unfinished frame. */
+  pending = new Uint8Array();
+
+  /** Takes the next bytes. Returns an iterator over the frames that are complete with them, which throws for an impossible length. */
+  feed(chunk) {
+    const joined = new Uint8Array(this.pending.length + chunk.length);
+    joined.set(this.pending);
+    joined.set(chunk, this.pending.length);
+    this.pending = joined;
+    return this.#frames();
+  }
+
+  *#frames() {
+    while (this.pending.length >= 2) {
+      const data = this.pending, length = unsigned(data, 0, 2), end = length + 2;
+      const isPoll = length === 0, type = types.get(data[4]), isEarly = data.length < 5 && length >= 3;
+      if (!isPoll && !isEarly && !isPossible(data, length, type)) throw new RangeError(impossible(length));
+      if (data.length < end) return;
+      this.pending = data.subarray(end);
+      if (!isPoll) yield data.subarray(0, end);
+    }
+  }
+}
+
+const MOST_WAITING = 65536, MOST_ALIKE = 256;
+
+/** Follows the frames of one computer and one brick in both directions. A reply answers the oldest command with its counter that it fits. */
+export class Dialogue {
+  #waiting = [];
+  #dialect;
+
+  constructor({ dialect = "official" } = {}) { this.#dialect = dialect; }
+
+  /** The commands that wait for a reply, oldest first, as decode returned them. */
+  get unanswered() { return this.#waiting.map(({ message }) => message); }
+
+  /** Takes the next frame. Returns what decode returns of it; a reply has a `note` if several commands may be the one that it answers. */
+  feed(frame) {
+    const message = decode(frame, { dialect: this.#dialect }), type = frame.length < 5 ? undefined : types.get(frame[4]);
+    if (!type) return message;
+    const [carries, role] = type.kind.split("-"), key = `${carries} ${message.counter} ${carries === "system" ? frame[5] : ""}`;
+    const alike = this.#waiting.filter((each) => each.key === key);
+    if (role === "command") {
+      if (!type.wants_reply) return message;
+      const forgotten = alike[MOST_ALIKE - 1] ? alike[0] : this.#waiting[MOST_WAITING - 1] && this.#waiting[0];
+      this.#waiting = this.#waiting.filter((each) => each !== forgotten);
+      this.#waiting.push({ key, size: carries === "direct" && frame.length >= 7 ? message.globals : null, message });
+      return message;
+    }
+    const size = type.name === "DIRECT_REPLY" ? Math.max(frame.length, message.length + 2) - 5 : null;
+    const fitting = alike.filter((each) => size === null || each.size === null || each.size === size);
+    const answered = fitting[0] ?? alike.at(-1);
+    if (!answered) return message;
+    const isSure = (fitting.length || alike.length) === 1, gone = alike.slice(0, alike.indexOf(answered) + 1);
+    this.#waiting = this.#waiting.filter((each) => !gone.includes(each));
+    const { hex, ...found } = decode(frame, { request: answered.message, dialect: this.#dialect });
+    return { ...found, ...(isSure ? {} : { note: "the pairing is unsure: several commands with its counter waited" }), hex };
+  }
+}

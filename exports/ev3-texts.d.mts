@@ -1,0 +1,1 @@
+export * from "./ev3-texts.js";

@@ -1,0 +1,23 @@
+/**
+ * What operations, parameters and messages of the EV3 are, in words. Licence: MIT.
+ *
+ *     import { texts } from "./ev3-texts.mjs";
+ *
+ *     texts.operations["SOUND.TONE"].text; // "Plays a tone", ...
+ *
+ * This file is made by ev3proto 0.2.0 from its tables (ev3proto export javascript --texts): change those, not this.
+ */
+
+/** One line about each message type, system command, daisy sub-command and operation, by name. */
+export declare const texts: {
+  readonly message_types: Readonly<Record<string, string>>;
+  readonly system_commands: Readonly<Record<string, string>>;
+  readonly daisy_commands: Readonly<Record<string, string>>;
+  readonly operations: Readonly<Record<string, {
+    readonly text: string;
+    /** Of each parameter in its place. */
+    readonly parameters: readonly string[];
+    /** Single values with a meaning of their own, by parameter. */
+    readonly special?: Readonly<Record<string, Readonly<Record<string, string>>>>;
+  }>>;
+};

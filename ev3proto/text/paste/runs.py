@@ -416,7 +416,7 @@ def _lined_up(rows: list[Row], places: list[int], *, is_guess: bool = False) -> 
             _joined([[row.elements[at]] for row in rows], is_guess=is_guess) for at in places if at < min(sizes)
         )
     among = _among(first, places) if max(sizes) > _FEW else set()
-    for place in [0, *places] if _is_carried(first, places) else places:
+    for place in [0] * _is_carried(first, places) + places:
         some = [row.elements[start:] for row in rows if (start := row.first(first, place)) is not None]
         yield _joined(some, is_guess=is_guess or place != places[0] or place in among)
 

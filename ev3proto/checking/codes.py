@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import with_length
 from ev3proto.semantics.judgement import Wrong
-from ev3proto.tables import operations
+from ev3proto.tables import mailboxes, operations
 from ev3proto.tables.validation import LABELS
 
 
@@ -55,9 +55,11 @@ class FindingCode(NamedTuple):
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
-NO_PORTS, LONGER = "NO_PORTS", "LONGER"
+NO_PORTS, LONGER, NEVER_RUNS = "NO_PORTS", "LONGER", "NEVER_RUNS"
 ONE_NUMBER, FEWER_BYTES, MORE_BYTES = "ONE_NUMBER", "FEWER_BYTES", "MORE_BYTES"
-"""Names of words: a bit mask without a port, a longer encoding, arrays of other lengths than stated."""
+MAILBOX_NAME, MAILBOX_CONTENT = "MAILBOX_NAME", "MAILBOX_CONTENT"
+"""Names of words: a bit mask without a port, a longer encoding, an opcode that never runs, arrays of other lengths than
+stated, what is too long for a mailbox."""
 
 CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
@@ -233,6 +235,12 @@ UNKNOWN_OPCODE = _code(
     """,
     _sized("2A:00|80|00:00|A6:00:01:00"),
     _sized("2A:00|80|00:00|A6:00:01"),
+    words={
+        NEVER_RUNS: Words(
+            "{byte} is {name}, which the firmware never runs",
+            "use an opcode, and check the length of what is before it",
+        ),
+    },
 )
 AFTER_END = _code(
     "E202",
@@ -1068,6 +1076,16 @@ MAILBOX_TOO_SMALL = _code(
     """,
     _sized("2A:00|81|9E:02:61:00:FB:00:" + "61:" * 250 + "00"),
     _sized("2A:00|81|9E:02:61:00:FA:00:" + "61:" * 249 + "00"),
+    words={
+        MAILBOX_NAME: Words(
+            f"the name has {{size}} characters; that of a mailbox has at most {mailboxes.MOST_NAME}",
+            f"use a name of at most {mailboxes.MOST_NAME} characters",
+        ),
+        MAILBOX_CONTENT: Words(
+            f"the message has {{size}} bytes, but a mailbox has room for only {mailboxes.MOST_CONTENT}",
+            f"send at most {mailboxes.MOST_CONTENT} bytes",
+        ),
+    },
 )
 TEXT_WITHOUT_ZERO = _code(
     "W805",

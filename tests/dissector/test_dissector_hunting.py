@@ -109,3 +109,25 @@ def test_a_file_of_another_size_than_announced_is_marked(tshark: Tshark) -> None
         places[1][-2]: ["it has 3 bytes, but 4 were moved"],
         places[2][-1]: ["7 of 9 bytes were captured"],
     }
+
+
+def test_faults_of_operations_and_mailboxes_are_marked(tshark: Tshark) -> None:
+    """A zero at the end, which is no operation, by which the error reply is explained; what no mailbox holds."""
+    capture = Capture(RAW_IP)
+    stream = Connection(capture)
+    never = "0x00 is ERROR, which the firmware never runs (E201)"
+    zero = stream.send(asks(1, 0, "A6 00 01 00"))
+    refused = stream.receive(bytes.fromhex("0300 0100 04"))
+    long_name = stream.send(ev3proto.system.writemailbox("n" * 50, "hi").build())
+    long_text = stream.send(ev3proto.system.writemailbox("abc", "x" * 250).build())
+    right = stream.send(ev3proto.system.writemailbox("n" * 49, "x" * 249).build())
+    variable = stream.send(asks(2, 0, "94 63 01"))
+    found = shown(tshark, capture)
+    assert found[zero][1] == [never]
+    assert found[refused][1] == [
+        f"the brick refused the command or failed to execute it; in the command, at offset 10: {never}"
+    ]
+    assert found[long_name][1] == ["the name has 50 characters; that of a mailbox has at most 49 (W804)"]
+    assert found[long_text][1] == ["the message has 251 bytes, but a mailbox has room for only 250 (W804)"]
+    assert found[right][1] == []
+    assert "CMD of SOUND is GV(3), but must be a constant" in found[variable][0]

@@ -312,24 +312,13 @@ def _path(at: int, path: str, entry: SystemDeclaration) -> Iterator[Finding]:
 
 def _mailbox(at: int, payload: bytes, name: str, entry: SystemDeclaration, field: str) -> Iterator[Finding]:
     """Checks a message at an offset, to a mailbox of that name."""
-    if len(name) > mailboxes.MOST_NAME:
-        yield codes.MAILBOX_TOO_SMALL.finding(
-            _NAME_OFFSET,
-            len(name),
-            f"the name has {len(name)} characters; that of a mailbox has at most {mailboxes.MOST_NAME}",
-            f"use a name of at most {mailboxes.MOST_NAME} characters",
-            entry.name,
-            _NAME,
-        )
-    if len(payload) > mailboxes.MOST_CONTENT:
-        yield codes.MAILBOX_TOO_SMALL.finding(
-            at,
-            len(payload),
-            f"the message has {len(payload)} bytes, but a mailbox has room for only {mailboxes.MOST_CONTENT}",
-            f"send at most {mailboxes.MOST_CONTENT} bytes",
-            entry.name,
-            field,
-        )
+    for key, start, size, most, owner in (
+        (codes.MAILBOX_NAME, _NAME_OFFSET, len(name), mailboxes.MOST_NAME, _NAME),
+        (codes.MAILBOX_CONTENT, at, len(payload), mailboxes.MOST_CONTENT, field),
+    ):
+        if size > most:
+            message, help_ = codes.MAILBOX_TOO_SMALL.words[key]
+            yield codes.MAILBOX_TOO_SMALL.finding(start, size, message.format(size=size), help_, entry.name, owner)
     if mailboxes.lacks_zero(payload):
         yield codes.TEXT_WITHOUT_ZERO.finding(
             at,

@@ -321,11 +321,9 @@ _NEVER_RUNS = frozenset((Effect.NEVER_RUNS,))
 def _never_run(context: CheckContext) -> Iterator[Finding]:
     for operation in context.operations:
         if operation.has(Effect.NEVER_RUNS):
-            yield operation.finding(
-                codes.UNKNOWN_OPCODE,
-                f"0x{operation.parsed.opcode:02X} is {operation.name}, which the firmware never runs",
-                _USE_AN_OPCODE,
-            )
+            message = codes.UNKNOWN_OPCODE.words[codes.NEVER_RUNS].message
+            said = message.format(byte=f"0x{operation.parsed.opcode:02X}", name=operation.name)
+            yield operation.finding(codes.UNKNOWN_OPCODE, said, _USE_AN_OPCODE)
 
 
 def _faulty_start(context: CheckContext) -> int:
@@ -383,7 +381,7 @@ def _fault(context: CheckContext, fault: Fault) -> Finding:
     return _faulty_cmd(context, start, family.opcode.name, fault)
 
 
-_USE_AN_OPCODE = "use an opcode, and check the length of what is before it"
+_USE_AN_OPCODE = codes.UNKNOWN_OPCODE.words[codes.NEVER_RUNS].help
 
 
 def _unknown_opcode(context: CheckContext, start: int) -> Finding:

@@ -9,7 +9,7 @@ from typing import Any
 from construct.core import SizeofError
 
 from ev3proto.capture import files
-from ev3proto.checking.codes import CODES, NO_PORTS, OF_VALUES
+from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
@@ -19,7 +19,7 @@ from ev3proto.semantics import pairing
 from ev3proto.semantics.advice import SLIPS
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.semantics.judgement import Wrong
-from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame
+from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, mailboxes
 from ev3proto.tables.declaration import DIALECTS, Command, Direction, Enumeration, Opcode, Parameter, Role, Type
 from ev3proto.tables.devices import DEVICE_TYPES
 from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, JUMP, LOCAL, RANGES, TEXT
@@ -439,12 +439,14 @@ def _findings() -> Iterator[str]:
         wrong.name if isinstance(wrong, Wrong) else wrong: Table([entry.code, text.message])
         for entry in CODES.values()
         for wrong, text in entry.words.items()
-        if isinstance(wrong, Wrong) or wrong == NO_PORTS
+        if isinstance(wrong, Wrong) or wrong in (NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT)
     }
     yield _assign("FINDINGS", Rows(named=words))
     yield _assign("FILES", Table(named={"longer": files.LONGER, "incomplete": files.INCOMPLETE}))
     slip = f"{SLIPS['length-self']}: it says %d, the size of all that was sent"
     slip += ", so the brick waits and takes %d bytes of the next frame"
+    most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}
+    yield _assign("MOST_IN_MAILBOX", Table(named=most))
     yield _assign("SLIPS", Table(named={"length_self": slip}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))

@@ -210,6 +210,7 @@ do
                 declared.name, declared.kind = declared[1], declared[2]
                 declared.filter, declared.label = declared[3], declared[4]
                 declared.field = field["system_" .. declared.filter]
+                command.has_message = command.has_message or declared.is_message
             end
         end
         SYSTEM_COMMANDS[row[1]] = command

@@ -206,10 +206,20 @@ do
         add_rest(message, view, message.rest)
     end
 
+    -- Complains about a name and a message that are too long for a mailbox.
+    local function check_mailbox(fields, target)
+        for _, found in ipairs(fields) do
+            local key = found.declared.is_message and "MAILBOX_CONTENT" or "MAILBOX_NAME"
+            local size = type(found.value) == "string" and #found.value or 0
+            if size > MOST_IN_MAILBOX[key] then complain(target, "misread", phrases.finding(key, { size = size })) end
+        end
+    end
+
     -- Commands and replies. Their fields were read with the frame, because file transfers need them.
     local function show_system_message(message, view)
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
+        if command and command.has_message then check_mailbox(message.fields, view.target) end
         if status and (STATUS.fails[status] ~= false or message.type.is_error) then
             complain(view.target, "failed", "the command failed: " .. status_text(status) .. status_meaning(message))
         end

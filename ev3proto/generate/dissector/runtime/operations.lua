@@ -192,6 +192,9 @@ do
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
+            if byte(text, at + 1) == CLAIMS.never_sent then
+                report("refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
+            end
             local cmd = selected.cmd_name
             if steps and cmd then
                 add_step(steps, CMD, at + 1, after - at - 1, selected.name)

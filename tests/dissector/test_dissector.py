@@ -73,6 +73,7 @@ def test_a_command_in_the_tree(tshark: Tshark) -> None:
     assert text[text.index("EV3: ") :].rstrip().splitlines() == [
         "EV3: SOUND.TONE volume=5 % frequency=440 Hz duration=250 ms",
         "    [Brick: 192.0.2.10:5555]",
+        "    [Connection: 1]",
         "    Length: 14",
         "    Message counter: 1",
         "    Type: DIRECT_COMMAND_NO_REPLY (0x80)",

@@ -709,6 +709,7 @@ def test_a_frame_is_shown_up_to_its_fault(tshark: Tshark) -> None:
 EV3: PROGRAM_STOP prgid=USER_SLOT (+SOUND.TONE) [fault at offset 15: the string DURATION runs past the end of the \
 frame: its terminating zero is missing]
     [Brick: 192.0.2.10:5555]
+    [Connection: 1]
     Length: 15
     Message counter: 1
     Type: DIRECT_COMMAND_NO_REPLY (0x80)
@@ -754,6 +755,7 @@ def test_a_reply_shorter_than_what_was_asked_is_read_as_far_as_it_goes(tshark: T
         == """\
 EV3: reply to UI_READ.GET_VBATT: 7.92 V
     [Brick: 192.0.2.10:5555]
+    [Connection: 1]
     Length: 9
     Message counter: 9
     Type: DIRECT_REPLY (0x02)

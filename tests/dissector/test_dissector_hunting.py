@@ -6,7 +6,7 @@ import struct
 from collections.abc import Iterator
 
 from support.messages import voltage, volts
-from support.packets import RAW_IP, Capture, Connection
+from support.packets import RAW_IP, SYN, Capture, Connection, segment
 from support.wireshark import Tshark
 
 import ev3proto
@@ -131,3 +131,40 @@ def test_faults_of_operations_and_mailboxes_are_marked(tshark: Tshark) -> None:
     assert found[long_text][1] == ["the message has 251 bytes, but a mailbox has room for only 250 (W804)"]
     assert found[right][1] == []
     assert "CMD of SOUND is GV(3), but must be a constant" in found[variable][0]
+
+
+UNLOCK = b"GET /target?sn=0016530a0b0c VMTP1.0\nProtocol: EV3\n\n"
+
+
+def test_conversations_have_the_numbers_of_records(tshark: Tshark) -> None:
+    """In the order of their first messages; a connection that is made again between the same ends has its own."""
+    capture = Capture(RAW_IP)
+    one, other = Connection(capture, 50_001), Connection(capture, 50_002)
+    one.send(UNLOCK)
+    other.send(voltage(1))
+    other.receive(volts(1))
+    one.send(voltage(1))
+    capture.add(segment(True, 0x1234_5678, flags=SYN, port=50_001))
+    one.numbers[True] = 0x1234_5679
+    one.send(UNLOCK)
+    one.send(voltage(2))
+    one.receive(volts(2))
+    other.send(voltage(2))
+    path = tshark.place(capture.data(), "numbers.pcap")
+    records = {item.numbers[-1]: item.connection for item in ev3proto.read(path) if isinstance(item, ev3proto.Record)}
+    assert records == {2: 1, 3: 1, 4: 2, 7: 3, 8: 3, 9: 1}
+    for words in ((), ("-2",)):
+        fields = ("-T", "fields", "-e", "frame.number", "-e", "ev3.connection", "-Y", "ev3.connection")
+        found = [line.split() for line in tshark.run(path, *words, *fields).splitlines()]
+        assert {int(number): int(connection) for number, connection in found} == records
+
+
+def test_ports_have_a_bit_each_and_no_number_below_zero_is_a_large_one(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    stream = Connection(capture)
+    stream.send(asks(1, 0, "A6 00 06"))
+    stream.send(asks(2, 0, "A6 3F 01"))
+    path = tshark.place(capture.data(), "ports.pcap")
+    asked = [word for letter in "abcd" for word in ("-e", f"ev3.ports.{letter}")]
+    words = ("-T", "fields", *asked, "-e", "ev3.output_start.layer", "-e", "ev3.argument.value")
+    assert tshark.run(path, *words).splitlines() == ["0\t1\t1\t0\t0\t", "1\t0\t0\t0\t\t-1"]

@@ -35,7 +35,7 @@ GENERATED = rf"{READ}|    +\[(?:Brick|Request in|Response time|File:|Transferred
 
 def shown(tshark: Tshark, capture: Path, lines: str, *words: str) -> list[tuple[str, list[str]]]:
     """Of each packet of ours, the line in the packet list, and those lines of the tree."""
-    text = tshark.run(capture, "-P", "-V", "-O", "ev3", *words)
+    text = tshark.run(capture, "-P", "-V", "-O", "ev3", *words).replace(" (no reply)", "")
     packets = re.findall(r"^(.*)\nFrame \d+.*\n((?:.+\n)*)", text, re.MULTILINE)
     return [(line, re.findall(rf"^(?:{lines}).*", tree, re.MULTILINE)) for line, tree in packets]
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables.discovery import BEACON_LINES
+from ev3proto.tables.output import MOTOR_LETTERS
 from ev3proto.tables.system import SYSTEM, FieldKind
 
 _PIECES = ("data", "busy")
@@ -68,6 +69,14 @@ class Expert(NamedTuple):
 FIELDS = (
     ProtoField("bytes", "bytes", "bytes", "Bytes", 'base.NONE, "all bytes of a frame, or of a text between frames"'),
     ProtoField("brick", "string", "brick", "Brick", '"the brick that it goes to or comes from"', generated=True),
+    ProtoField(
+        "connection",
+        "uint32",
+        "connection",
+        "Connection",
+        'base.DEC, nil, nil, "the number of its conversation in the capture, from 1"',
+        generated=True,
+    ),
     ProtoField("length", "uint16", "msg_len", "Length", 'base.DEC, nil, nil, "bytes that follow this field"'),
     ProtoField(
         "counter",
@@ -91,6 +100,10 @@ FIELDS = (
         "argument.variable",
         "Variable",
         '"the variable that is used as an argument, such as GV(0)"',
+    ),
+    *(
+        ProtoField(f"port_{bit}", "bool", f"ports.{port.lower()}", port, f'8, nil, 0x{1 << bit:02X}, "a motor in NOS"')
+        for bit, port in MOTOR_LETTERS.items()
     ),
     ProtoField("other", "string", "argument.value", "Value", '"a constant whose type differs from its parameter\'s"'),
     ProtoField("memory", "bytes", "memory", "Global memory"),
@@ -148,7 +161,7 @@ EXPERTS = (
     Expert("misaligned", "Misaligned variable", "PROTOCOL", "ERROR"),
     Expert("beyond_memory", "Variable beyond the requested memory", "PROTOCOL", "WARN"),
     Expert("refused", "Argument that the brick refuses", "PROTOCOL", "ERROR"),
-    Expert("misread", "Value that the brick reads otherwise, or that is not documented", "PROTOCOL", "WARN"),
+    Expert("misread", "Value that the brick misreads, or that is not documented", "PROTOCOL", "WARN"),
     Expert("no_boundary", "No frame starts here", "MALFORMED", "ERROR"),
     Expert("error_reply", "The brick refused the command, or it failed", "RESPONSE_CODE", "WARN"),
     Expert("failed", "The command failed", "RESPONSE_CODE", "WARN"),

@@ -1,4 +1,4 @@
-"""Lua values: a table is on one line, `Rows` have a line each."""
+"""Lua values: a table is on one line if it fits, `Rows` have a line each."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 INDENT = "    "
+
+WIDTH, _CLOSING = 160, 14
+"""Maximum length of a line, and room in it for the brackets around a part."""
 
 
 class Name(str):
@@ -21,11 +24,6 @@ class Table:
 
     items: Sequence[object] = ()
     named: Mapping[Any, object] = field(default_factory=dict)
-
-    @property
-    def brackets(self) -> tuple[str, str]:
-        """Returns the brackets around the entries."""
-        return "{", "}"
 
     def entries(self) -> Iterator[tuple[str, object]]:
         """Returns the prefix of each value (`unit = `, `[0] = `, nothing), and the value."""
@@ -42,32 +40,42 @@ class Rows(Table):
     __slots__ = ()
 
 
-class Source(Table):
-    """The entries of a table as a text that Lua parses on demand: `[[ 1, unit = "mm" ]]`."""
-
-    __slots__ = ()
-
-    @property
-    def brackets(self) -> tuple[str, str]:
-        """Quotes of a long string. None of the texts in the tables contains the second one."""
-        return "[[", "]]"
-
-
 def hexadecimal(number: int) -> Name:
     """Writes a byte as documents print it."""
     return Name(f"0x{number:02X}")
 
 
-def literal(value: object, depth: int = 0) -> str:
-    """Writes a whole number, a text, a truth value, a `Name` or a `Table` as Lua, at a depth of indentation."""
+def literal(value: object, depth: int = 0, head: int = 0) -> str:
+    """Writes a value as Lua: a whole number, a text, a truth value, a `Name` or a `Table`.
+
+    Args:
+        value: The value.
+        depth: The depth of indentation.
+        head: Number of characters before it on its line, without the indentation.
+    """
     if not isinstance(value, Table):
         return _scalar(value)
-    first, last = value.brackets
-    pieces = [head + literal(inner, depth + 1) for head, inner in value.entries()]
+    pieces = [prefix + literal(inner, depth + 1, len(prefix)) for prefix, inner in value.entries()]
+    if not pieces:
+        return "{}"
+    text = f"{{ {', '.join(pieces)} }}"
     if isinstance(value, Rows):
-        rows = "".join(f"{INDENT * (depth + 1)}{piece},\n" for piece in pieces)
-        return f"{first}\n{rows}{INDENT * depth}{last}"
-    return f"{first} {', '.join(pieces)} {last}" if pieces else first + last
+        return "{\n" + "".join(f"{INDENT * (depth + 1)}{piece},\n" for piece in pieces) + f"{INDENT * depth}}}"
+    if "\n" not in text and len(INDENT) * depth + head + len(text) + _CLOSING <= WIDTH:
+        return text
+    lines = _filled(pieces, WIDTH - len(INDENT) * (depth + 1) - head - _CLOSING)
+    return "{ " + f",\n{INDENT * (depth + 1)}".join(lines) + " }"
+
+
+def _filled(pieces: Sequence[str], width: int) -> Iterator[str]:
+    """Yields lines with as many of the pieces as fit; one that has lines itself is alone."""
+    line = ""
+    for piece in pieces:
+        if line and ("\n" in line + piece or len(line) + len(piece) + 2 > width):
+            yield line
+            line = ""
+        line = f"{line}, {piece}" if line else piece
+    yield line
 
 
 def _scalar(value: object) -> str:

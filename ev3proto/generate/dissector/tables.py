@@ -11,7 +11,7 @@ from construct.core import SizeofError
 from ev3proto.capture import files
 from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
-from ev3proto.generate.dissector.lua import Name, Rows, Source, Table, hexadecimal, literal
+from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
 from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
@@ -59,8 +59,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     yield (
         "Operations",
         "Opcode, name, description; then parameters or, for a family, its commands, which have the same. A parameter\n"
-        "-- is a name, direction, type and description. Parameters are texts, which are parsed when an operation is\n"
-        "-- first seen.",
+        "-- is a name, direction, type and description.",
         _operations(),
     )
     yield (
@@ -110,7 +109,8 @@ def _heading(title: str, text: str) -> str:
 
 
 def _assign(name: str, value: object) -> str:
-    return f"local {name} = {literal(value)}\n"
+    head = f"local {name} = "
+    return f"{head}{literal(value, head=len(head))}\n"
 
 
 def _words() -> Iterator[str]:
@@ -213,8 +213,8 @@ def _command(command: Command) -> Table:
     return Table([command.number, command.name, command.text, _parameters(command)], _dialects(command))
 
 
-def _parameters(entry: Opcode | Command) -> Source:
-    return Source([_parameter(parameter) for parameter in entry.parameters])
+def _parameters(entry: Opcode | Command) -> Table:
+    return Table([_parameter(parameter) for parameter in entry.parameters])
 
 
 def _dialects(entry: Opcode | Command) -> dict[Any, object]:
@@ -443,11 +443,12 @@ def _findings() -> Iterator[str]:
     }
     yield _assign("FINDINGS", Rows(named=words))
     yield _assign("FILES", Table(named={"longer": files.LONGER, "incomplete": files.INCOMPLETE}))
-    slip = f"{SLIPS['length-self']}: it says %d, the size of all that was sent"
-    slip += ", so the brick waits and takes %d bytes of the next frame"
+    slip = (
+        f"{SLIPS['length-self']}: it says %d, the size of all that was sent; the brick takes %d bytes of the next one"
+    )
     most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}
     yield _assign("MOST_IN_MAILBOX", Table(named=most))
-    yield _assign("SLIPS", Table(named={"length_self": slip}))
+    yield _assign("SLIPS", Rows(named={"length_self": slip}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))
 

@@ -27,10 +27,13 @@ do
     -- One string for equal bodies, up to a number of them.
     local shared, shared_count, conversations
 
+    -- The number of the newest conversation; by packet, that of its conversation, if it is not the first.
+    local newest_number, numbers
+
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
         transfers = {}
-        count, shared, shared_count, conversations = 0, {}, 0, {}
+        count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
     end
 
     local function set_number(place, number)
@@ -88,6 +91,26 @@ do
             conversations[key] = conversation
         end
         return conversation
+    end
+
+    -- Begins another connection between the same ends: it has replies, files and a number of its own.
+    function dialogues.renew(conversation)
+        conversation.waiting, conversation.begun, conversation.open = {}, {}, {}
+        conversation.number, conversation.longest = nil, nil
+    end
+
+    -- Returns the number of the conversation of a packet with messages.
+    function dialogues.conversation_at(packet)
+        return numbers[packet] or 1
+    end
+
+    -- A conversation gets the next number with its first message.
+    local function number_packet(conversation, packet)
+        if not conversation.number then
+            newest_number = newest_number + 1
+            conversation.number = newest_number
+        end
+        if conversation.number > 1 then numbers[packet] = conversation.number end
     end
 
     -- Returns what a reply has in common with its command.
@@ -229,6 +252,7 @@ do
         local is_on_file = message.command and message.command.transfer
         local now, transfer = nanoseconds(pinfo), nil
         conversation.newest = now
+        number_packet(conversation, storage.number_of(place))
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then

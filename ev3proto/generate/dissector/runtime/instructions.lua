@@ -17,16 +17,25 @@ local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
+    -- Tells whether the tables allow no negative number for a parameter.
+    local function is_natural(row)
+        for value in pairs(row.special or {}) do
+            if value < 0 then return false end
+        end
+        return row[2] == IN and row.range ~= nil and row.range[1] >= 0
+    end
+
     -- Makes the field of one parameter; `kind` is the kind of its values.
     local function parameter_field(abbreviation, parameter, kind, name, text)
         if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
         if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
+        local whole = is_natural(parameter) and ProtoField.uint32 or ProtoField.int32
         if parameter.enum and not parameter.enum.is_flags then
-            return ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+            return whole(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
         elseif parameter.unit then
-            return ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
+            return whole(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
         end
-        return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+        return whole(abbreviation, name, base.DEC, nil, nil, text)
     end
 
     -- Returns the names of a parameter in filters and in the tree, and the kind of its values.
@@ -46,7 +55,7 @@ do
         local is_flags = row.enum and row.enum.is_flags
         return {
             name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
-            size = SIZE_OF[type] or 1,
+            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row),
             -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in the line of a command and of a reply.
@@ -116,17 +125,10 @@ do
         return list
     end
 
-    -- In the text of parameters, a name is its own value.
-    local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
-
-    local function read_rows(source)
-        return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
-    end
-
     -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
-    local function declare_operation(name, source)
-        local operation = { name = name, source = source, first_field = #fields + 1 }
-        for _, row in ipairs(read_rows(source)) do
+    local function declare_operation(name, rows)
+        local operation = { name = name, rows = rows, first_field = #fields + 1 }
+        for _, row in ipairs(rows) do
             local abbreviation, label, kind = described(name, row)
             fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
             if row[3] == COUNT then
@@ -140,8 +142,8 @@ do
     -- family have a `cmd_name`.
     function prepare_operation(operation)
         local name, at = operation.name, operation.first_field
-        local rows, by_name = read_rows(operation.source), {}
-        operation.cmd_name, operation.source, operation.parameters = name:match("%.(.+)$"), nil, {}
+        local rows, by_name = operation.rows, {}
+        operation.cmd_name, operation.rows, operation.parameters = name:match("%.(.+)$"), nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
             local _, label, kind = described(name, row)

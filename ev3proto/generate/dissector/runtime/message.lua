@@ -379,9 +379,10 @@ do
     end
 
     -- Adds the item of a message, with its header. Its text comes later.
-    local function add_frame(tree, tvb, base, message)
+    local function add_frame(tree, tvb, base, message, place)
         local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range)
+        set_generated(add(item, field.connection, dialogues.conversation_at(storage.number_of(place))))
         -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
@@ -392,7 +393,7 @@ do
     -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
     -- replaces the message's own line; `is_new` is true in the first pass.
     function messages.show(message, place, tvb, base, tree, is_shown, said, is_new)
-        local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
+        local type, item = message.type, is_shown and add_frame(tree, tvb, base, message, place) or nil
         local view = {
             root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
         }

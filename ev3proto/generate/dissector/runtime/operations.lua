@@ -9,13 +9,15 @@ do
     local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
     local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
+    local PORTS, PORT_FIELDS = 1, { field.port_0, field.port_1, field.port_2, field.port_3 }
 
     -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its
     -- type differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list,
     -- with its number; `dataset` is what it receives from a device.
     local function value_parts(parameter, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
-        if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
+        local is_other = is_text ~= (kind == TEXT_VALUE)
+        if is_other or kind == NUMBER and (value % 1 ~= 0 or parameter.is_natural and value < 0) then
             local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
             return field.other, text, (numbered or parameter.name) .. ": " .. text
         elseif is_text then
@@ -39,7 +41,7 @@ do
 
     -- Steps are the items of operations in one list, which costs less than adding the items again by their bytes. An
     -- item is its field, offset, size, value, label, and what is appended; then what is said of it, as false, kind and
-    -- text; and its encoding, as true and a label.
+    -- text; the set of ports that it is, as PORTS and a number; and its encoding, as true and a label.
     local function add_step(steps, declared, at, size, value, label, appended)
         local last = #steps
         steps[last + 1], steps[last + 2], steps[last + 3], steps[last + 4] = declared, at, size, value
@@ -58,6 +60,11 @@ do
             local declared = steps[index]
             if declared == true then
                 add(newest, ENCODING, range, steps[index + 1])
+                index = index + 2
+            elseif declared == PORTS then
+                for _, port in ipairs(PORT_FIELDS) do
+                    add(newest, port, range, steps[index + 1])
+                end
                 index = index + 2
             elseif not declared then
                 complain(newest, steps[index + 1], steps[index + 2])
@@ -156,6 +163,10 @@ do
         elseif steps then
             local declared, shown, label, appended = value_parts(parameter, value, parameter.numbered)
             add_step(steps, declared, at, after - at, shown, label, appended)
+            if parameter.is_set and declared ~= field.other then
+                local last = #steps
+                steps[last + 1], steps[last + 2] = PORTS, value
+            end
         end
         if encoding.scope then
             check_variable(at, parameter, encoding, value)

@@ -1,4 +1,4 @@
--- Statistics of a capture by operation and by brick, and the transferred files. Wireshark shows them in windows; tshark
+-- Statistics of a capture by operation and connection, and the transferred files. Wireshark shows them in windows; tshark
 -- prints them at the end of a run if the preferences ask for it.
 --
 -- A listener reads the fields of ev3.lua. It exists only while statistics are needed, so this file costs nothing until
@@ -48,15 +48,21 @@ for _, name in ipairs({ "ev3.op", "ev3.sys_cmd", "ev3.daisy.command" }) do
     READERS[name] = read_name
 end
 
--- Returns the messages in a packet. The field of the brick precedes each message, whose first field is its length.
+-- Returns the messages in a packet. The fields of brick and connection precede each message, whose first field is its
+-- length.
 local function read_messages(number)
-    local messages, message, brick = {}, nil, "(unknown)"
+    local messages, message, brick, connection = {}, nil, "(unknown)", 1
     for _, info in ipairs({ all_field_infos() }) do
         local name = info.name
         if name == "ev3.brick" then
             brick = info.value
+        elseif name == "ev3.connection" then
+            connection = info.value
         elseif name == "ev3.msg_len" then
-            message = { packet = number, brick = brick, bytes = info.value + info.len, names = {} }
+            message = {
+                packet = number, connection = format("%d: %s", connection, brick), bytes = info.value + info.len,
+                names = {},
+            }
             messages[#messages + 1] = message
         elseif message and READERS[name] then
             READERS[name](message, info)
@@ -78,9 +84,9 @@ end
 -- Counting ----------------------------------------------------------------------------------------------------------
 
 -- Returns empty statistics. Rows are by name; `waiting` has the commands without a reply so far, `open` the current
--- transfers by brick and path.
+-- transfers by connection and path.
 local function new_survey()
-    return { operations = {}, bricks = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {} }
+    return { operations = {}, connections = {}, waiting = {}, wanted = 0, answered = 0, open = {}, files = {} }
 end
 
 local function row_of(rows, name)
@@ -96,8 +102,8 @@ local function count_answer(row, delay)
     row.answers, row.total, row.most = row.answers + 1, row.total + delay, math.max(row.most, delay)
 end
 
-local function key_of(brick, packet, counter)
-    return concat({ brick, packet, counter }, " ")
+local function key_of(connection, packet, counter)
+    return concat({ connection, packet, counter }, " ")
 end
 
 local function count_command(survey, command)
@@ -109,14 +115,14 @@ local function count_command(survey, command)
     end
     if command.wants_reply then
         survey.wanted = survey.wanted + 1
-        survey.waiting[key_of(command.brick, command.packet, command.counter)] = uses
+        survey.waiting[key_of(command.connection, command.packet, command.counter)] = uses
     end
 end
 
 local function count_reply(survey, reply)
-    local key = key_of(reply.brick, reply.request_in, reply.counter)
+    local key = key_of(reply.connection, reply.request_in, reply.counter)
     survey.answered = survey.answered + 1
-    count_answer(row_of(survey.bricks, reply.brick), reply.delay)
+    count_answer(row_of(survey.connections, reply.connection), reply.delay)
     for name in pairs(survey.waiting[key] or {}) do
         local row = row_of(survey.operations, name)
         row.bytes = row.bytes + reply.bytes
@@ -127,7 +133,7 @@ end
 
 -- Returns the file of a message; a command that begins a transfer starts a new file.
 local function file_of(survey, message)
-    local key = message.brick .. " " .. message.path
+    local key = message.connection .. " " .. message.path
     local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
     if is_begin or not survey.open[key] then
         survey.open[key] = { path = message.path, pieces = {} }
@@ -145,14 +151,22 @@ local function keep_piece(survey, message)
     table.insert(file.pieces, data)
 end
 
-local function count_packet(survey, number)
+-- Counts the time since the reply before.
+local function count_gap(row, time)
+    if row.newest then row.gap = math.max(row.gap or 0, time - row.newest) end
+    row.newest = time
+end
+
+local function count_packet(survey, number, time)
     for _, message in ipairs(read_messages(number)) do
-        count_message(row_of(survey.bricks, message.brick), message)
+        local row = row_of(survey.connections, message.connection)
+        count_message(row, message)
         if message.is_command then
             count_command(survey, message)
         elseif message.request_in then
             count_reply(survey, message)
         end
+        if not message.is_command then count_gap(row, time) end
         if message.path then keep_piece(survey, message) end
     end
 end
@@ -161,7 +175,7 @@ end
 local function listen(survey)
     local listener = Listener.new("frame", "ev3", true)
     function listener.packet(pinfo)
-        count_packet(survey, pinfo.number)
+        count_packet(survey, pinfo.number, pinfo.rel_ts)
     end
     return listener
 end
@@ -211,13 +225,14 @@ local function table_text(heading, rows, has_uses)
         if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
         return one < other
     end)
-    local lines = { { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "max ms" } }
+    local last = has_uses and "" or "gap ms"
+    local lines = { { heading, has_uses and "uses" or "", "messages", "bytes", "answers", "mean ms", "max ms", last } }
     for _, name in ipairs(names) do
         local row = rows[name]
         lines[#lines + 1] = {
             on_one_line(name), has_uses and format("%d", row.uses) or "", format("%d", row.messages),
             format("%d", row.bytes), format("%d", row.answers), milliseconds(row, row.total / row.answers),
-            milliseconds(row, row.most),
+            milliseconds(row, row.most), row.gap and format("%.0f", 1000 * row.gap) or "",
         }
     end
     return columns_text(lines)
@@ -235,7 +250,7 @@ end
 local function survey_text(survey)
     local unanswered = survey.wanted - survey.answered
     return concat({
-        table_text("Operation", survey.operations, true), "", table_text("Brick", survey.bricks), "",
+        table_text("Operation", survey.operations, true), "", table_text("Connection", survey.connections), "",
         files_text(survey), "",
         format("Without a reply: %d of %s that requested one", unanswered, plural(survey.wanted, "command")),
     }, "\n") .. "\n"
@@ -334,7 +349,7 @@ end
 
 if gui_enabled() then
     -- Wireshark makes submenus of names with a slash only under Tools.
-    register_menu("EV3: Operations, Bricks and Files", function()
+    register_menu("EV3: Operations, Connections and Files", function()
         TextWindow.new("EV3: Statistics"):set(survey_text(survey_of_capture()))
     end, MENU_STAT_UNSORTED)
     register_menu("EV3: Export Files...", function()

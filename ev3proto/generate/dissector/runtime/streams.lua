@@ -195,6 +195,10 @@ do
                 said, after = dissect_text(tvb, text, at, tree, is_shown)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
+                local is_again = said and conversation and conversation.number
+                if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
+                    dialogues.renew(conversation)
+                end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at

@@ -88,6 +88,12 @@ def transfer(counter: int, size: int, *pieces: int, closed: bool = False) -> Ite
         yield True, ev3proto.system_command("CLOSE_FILEHANDLE", counter=counter + 9, handle=handle).build()
 
 
+def refused(counter: int) -> Iterator[tuple[bool, bytes]]:
+    """A download to a path that the brick refuses."""
+    yield True, ev3proto.system_command("BEGIN_DOWNLOAD", counter=counter, reply=True, size=9, path="a.rtf").build()
+    yield False, bytes((6, 0, counter, 0, 0x05, 0x92, 0x06, 0xFF))
+
+
 def test_a_file_of_another_size_than_announced_is_marked(tshark: Tshark) -> None:
     """Closed before its end, longer, or without a further message: in the words of `ev3proto files`."""
     capture = Capture(RAW_IP)

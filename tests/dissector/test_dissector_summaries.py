@@ -15,7 +15,7 @@ from ev3proto.testing import direct_commands
 
 WIFI = Path(__file__).parents[2] / "captures" / "wifi.pcapng"
 LIMIT = "MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512"
-LOOKUP = "        if summary and (summary.steps or not wants_steps) then return summary, summary.steps end\n"
+LOOKUP = "        if kept and (kept.steps or not wants_steps) then return kept, kept.steps end\n"
 LINES = ("-o", 'gui.column.format:"Info","%i"', "-z", "expert", "-d", "tcp.port==5555,ev3_all")
 """Without a tree: the info column, and all expert information."""
 TREES = ("-2", "-V", "-O", "ev3", "-Y", "ev3", "-d", "tcp.port==5555,ev3_all")

@@ -43,9 +43,10 @@ from ev3proto.messages import (
     SystemReply,
     Variable,
 )
+from ev3proto.semantics.domain import domain_of
 from ev3proto.tables import operations
 from ev3proto.tables.daisy import SENSOR_DATA_SIZE
-from ev3proto.tables.declaration import DIALECTS, Parameter, Type
+from ev3proto.tables.declaration import DIALECTS, Direction, Parameter, Type
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind
 from support.wireshark import Tshark
 
@@ -229,7 +230,7 @@ def packets(tshark: Tshark, capture: Path, *words: str) -> list[tuple[int, Tree]
 
 def is_message(layer: Tree) -> bool:
     """Returns whether a layer is a message, not one of the texts before them or a part of a frame."""
-    return any(child.name == "ev3.msg_len" for child in layer.children[:2])
+    return any(child.name == "ev3.msg_len" for child in layer.children[:3])
 
 
 def shown(packet: int, layer: Tree) -> Record:
@@ -251,7 +252,7 @@ def unshown(layer: Tree, data: bytes) -> str:
 
 
 GENERATED = {f"ev3.{field.name}" for field in FIELDS if field.generated}
-ABOUT_ARGUMENTS = ("misaligned", "beyond_memory", "refused", "misread")
+ABOUT_CONTENTS = ("misaligned", "beyond_memory", "refused", "misread", "incomplete_file")
 FAULTS = ("fault", "unknown_opcode", "unknown_cmd", "cut_off", "no_boundary")
 
 
@@ -278,9 +279,9 @@ class _Reading:
         time = found.get("ev3.response_time")
         links = {name: int(found[f"ev3.{name}"]) for name in ("request_in", "response_in") if f"ev3.{name}" in found}
         complaints = {
-            "fault" if kind in FAULTS else kind
+            "fault" if kind in FAULTS else "unanswered" if kind == "waiting" else kind
             for item in self.layer.walk()
-            if item.name.startswith("ev3.expert.") and (kind := item.name[11:]) not in ABOUT_ARGUMENTS
+            if item.name.startswith("ev3.expert.") and (kind := item.name[11:]) not in ABOUT_CONTENTS
         }
         return Record(
             operations=tuple(self.operations),
@@ -588,6 +589,14 @@ def _declared(operation: Operation, name: str) -> Parameter:
     return next(it for it in operation.declaration.parameters if it.name == plain)
 
 
+def _is_natural(declared: Parameter) -> bool:
+    """Returns whether the tables allow no negative number for an input: its field is unsigned."""
+    domain = domain_of(declared)
+    if declared.direction is not Direction.IN or domain is None or not (declared.range or declared.enum):
+        return False
+    return all(low >= 0 for low, _ in domain.spans) and all(number >= 0 for number in declared.special)
+
+
 def _typed(operation: Operation, argument: Argument, value: int | float | str) -> tuple[str, Shown, str | None]:
     """The field of a parameter, its value, and its line: for constants, and for values in a reply."""
     declared = _declared(operation, argument.name)
@@ -603,6 +612,8 @@ def _typed(operation: Operation, argument: Argument, value: int | float | str) -
     if issubclass(kind, Float):
         return name, kind(value), None
     assert isinstance(value, int)
+    if value < 0 and not is_element and _is_natural(declared):
+        return "ev3.argument.value", str(value), None
     return name, value, str(value) if is_element else _line(declared, value)
 
 

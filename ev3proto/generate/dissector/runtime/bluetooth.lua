@@ -153,7 +153,7 @@ do
     end
 
     -- Adds the incomplete frame at the end of a packet.
-    local function add_part(tree, tvb, size, packet)
+    local function add_part(tree, tvb, size, packet, brick)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
         item:add(field.brick, brick):set_generated()
@@ -190,15 +190,15 @@ do
         end
         local packet = packets[number]
         if not packet then return 0 end
-        local is_shown, size, before = has_tree(tree), #piece, packet.before
-        brick = is_shown and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
+        local size, before = #piece, packet.before
+        local brick = has_tree(tree) and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
         -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then
             local text, whole = (before or "") .. piece, tvb
             if before then
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
-                if is_shown then add_joined(tree, tvb, packet) end
+                if brick then add_joined(tree, tvb, packet) end
             end
             local state = {
                 reported = #text,
@@ -211,7 +211,7 @@ do
                 accepts = packet.accepts,
             }
             local after, _, lost, step =
-                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, is_shown)
+                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
             size = #text - after
             if stream then
                 if size > 0 then
@@ -224,7 +224,7 @@ do
             end
         end
         if size > 0 then
-            if is_shown then add_part(tree, tvb, size, packet) end
+            if brick then add_part(tree, tvb, size, packet, brick) end
             say("part of a frame")
         end
         show(pinfo, tvb, tree)

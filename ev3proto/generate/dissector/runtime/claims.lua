@@ -11,25 +11,13 @@ local OURS, PART = "ours", "part"
 local CHAIN, SINGLE, OPEN = "chain", "single", "open"
 
 do
-    -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
-    local function by_any(says, ...)
-        local said, preferred = says(...), instructions
-        if said then return said end
-        for _, name in ipairs(DIALECTS) do
-            instructions = INSTRUCTION_SETS[name]
-            said = said or instructions ~= preferred and says(...)
-        end
-        instructions = preferred
-        return said
-    end
-
     -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nil, or the
-    -- kind of the fault that ends them, and its operation.
-    function claiming.scan(text, at, stop, judge, visit)
+    -- kind of the fault that ends them, and its operation. `set` has the instructions, by default the preferred ones.
+    function claiming.scan(text, at, stop, judge, visit, set)
         while at < stop do
             local code = byte(text, at + 1)
             if code == CLAIMS.never_sent then return "fault" end
-            local operation, after, _, reason, kind = reading.read_operation(text, at, visit)
+            local operation, after, _, reason, kind = reading.read_operation(text, at, visit, set)
             if operation and judge then judge(code) end
             if reason then return kind, operation end
             at = after
@@ -61,8 +49,8 @@ do
         return not (value == 0 and parameter.is_set) and (not wrong or CLAIMS.still_sent[wrong] == true)
     end
 
-    -- The same for all operations of a direct command, at least one of which must be evidence.
-    local function fits(text, stop, is_cut)
+    -- The same for all operations of a direct command by a firmware's instructions; at least one must be evidence.
+    local function fits(text, stop, is_cut, set)
         local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
@@ -73,7 +61,7 @@ do
             if CLAIMS.only_in_programs[code] then is_right = false end
             if not CLAIMS.not_telling[code] then is_telling = true end
         end
-        local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
+        local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit, set)
         return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
@@ -84,7 +72,12 @@ do
         if not type or not type.is_command then return false end
         if not is_cut and (stop < message.size or message.fault) then return false end
         if type.carries == "direct" then
-            return stop >= COMMAND_HEADER_SIZE and by_any(fits, message.text, stop, is_cut)
+            if stop < COMMAND_HEADER_SIZE then return false end
+            if fits(message.text, stop, is_cut, instructions) then return true end
+            for _, set in pairs(INSTRUCTION_SETS) do
+                if set ~= instructions and fits(message.text, stop, is_cut, set) then return true end
+            end
+            return false
         end
         if is_cut then return false end
         if type.carries == "daisy" then return claiming.is_sensible(message) end

@@ -230,6 +230,7 @@ do
         if command.transfer == "begin" then
             transfer = conversation.begun[message.counter]
             conversation.begun[message.counter] = nil
+            if failed and transfer then transfer.is_over = true end
             if failed or not values.handle then return transfer end
             -- Even if the command was not captured, the handle now belongs to another file.
             conversation.open[handle] = transfer

@@ -73,14 +73,14 @@ end
 
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
-local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
+local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick, said)
     if conversation then
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
-    local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    storage.free_unused(is_shown)
+    local line, item = messages.show(message, place, tvb, at, tree, brick, said, conversation)
+    storage.free_unused(brick)
     return line, item
 end
 

@@ -379,9 +379,9 @@ do
     end
 
     -- Adds the item of a message, with its header. Its text comes later.
-    local function add_frame(tree, tvb, base, message, place)
+    local function add_frame(tree, tvb, base, message, place, brick)
         local range = new_range(tvb, base, message.stop)
-        local item = add_item(tree, range)
+        local item = add_item(tree, range, brick)
         set_generated(add(item, field.connection, dialogues.conversation_at(storage.number_of(place))))
         -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
@@ -392,8 +392,8 @@ do
 
     -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
     -- replaces the message's own line; `is_new` is true in the first pass.
-    function messages.show(message, place, tvb, base, tree, is_shown, said, is_new)
-        local type, item = message.type, is_shown and add_frame(tree, tvb, base, message, place) or nil
+    function messages.show(message, place, tvb, base, tree, brick, said, is_new)
+        local type, item = message.type, brick and add_frame(tree, tvb, base, message, place, brick) or nil
         local view = {
             root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
         }

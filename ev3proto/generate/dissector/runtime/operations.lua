@@ -85,78 +85,77 @@ do
         end
     end
 
-    -- The state of reading operations: the `steps`, nil if they are not wanted; the requested memory; the operation,
-    -- where it starts, and the constants that its arguments state; the text `said` so far, and its number of arguments;
-    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree;
-    -- the `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
-    local steps, globals, locals, operation, start, stated, said, said_count, is_beyond
-    local remark, complaints, outputs, content
+    -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
+    -- requested `globals` and `locals`; the `operation`, its offset `at`, and the constants `stated` by its arguments;
+    -- what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` without a tree,
+    -- whether a variable `is_beyond` the memory, and the `outputs`.
 
-    local function report(kind, at, text)
-        remark = remark or format("at offset %d: %s", at, text)
+    local function report(run, kind, at, text)
+        local steps, complaints = run.steps, run.complaints
+        run.remark = run.remark or format("at offset %d: %s", at, text)
         if steps then
             local last = #steps
             steps[last + 1], steps[last + 2], steps[last + 3] = false, kind, text
         end
         -- Without a tree only the first variable beyond the memory is reported.
-        if kind == "beyond_memory" and is_beyond then return end
-        is_beyond = is_beyond or kind == "beyond_memory"
+        if kind == "beyond_memory" and run.is_beyond then return end
+        run.is_beyond = run.is_beyond or kind == "beyond_memory"
         complaints[#complaints + 1] = { kind = kind, text = text }
     end
 
-    -- Adds the expert information for a variable whose index the brick refuses.
-    local function complain_of_index(at, parameter, encoding, index, alignment)
-        local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
-        local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = argument_text(parameter, encoding, index)
-        report("misaligned", at, format(reason, parameter.name, sort, alignment, variable))
-    end
-
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory.
-    local function check_variable(at, parameter, encoding, index)
+    local function check_variable(run, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
             size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
-        if index % alignment ~= 0 then complain_of_index(at, parameter, encoding, index, alignment) end
+        if index % alignment ~= 0 then
+            report(run, "misaligned", at, format(
+                "%s: the index of a %s must be a multiple of %d, the brick refuses %s", parameter.name,
+                encoding.handle and "handle" or TYPE_NAMES[parameter.type], alignment,
+                argument_text(parameter, encoding, index)))
+        end
         local is_global = encoding.kind == GLOBAL
-        local asked = is_global and globals or locals
+        local asked = is_global and run.globals or run.locals
         if not asked then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * reply_values.stated_length(parameter, stated, 1)
+            size = size * reply_values.stated_length(parameter, run.stated, 1)
         end
         if index + size <= asked then return end
-        report("beyond_memory", at, format(
+        report(run, "beyond_memory", at, format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(at, reason, code)
-        if reason then report(REFUSED[code] and "refused" or "misread", at, reason) end
+    local function check_constant(run, at, parameter, encoding, value)
+        local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
+        if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
     end
 
     -- Appends an argument to the line of its operation.
-    local function say_argument(parameter, encoding, value)
-        said_count = said_count + 1
-        if said_count <= phrases.MOST_VALUES then
-            said = said .. parameter.key .. argument_text(parameter, encoding, value)
-        elseif said_count == phrases.MOST_VALUES + 1 then
-            said = said .. " ..."
+    local function say_argument(run, parameter, encoding, value)
+        run.count = run.count + 1
+        if run.count <= phrases.MOST_VALUES then
+            run.said = run.said .. parameter.key .. argument_text(parameter, encoding, value)
+        elseif run.count == phrases.MOST_VALUES + 1 then
+            run.said = run.said .. " ..."
         end
     end
 
     -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, the constants that
     -- the operation's arguments state, and what it receives from a device.
-    local function note_output(parameter, encoding, index)
-        outputs[#outputs + 1] = {
-            parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
+    local function note_output(run, parameter, encoding, index)
+        local stated = run.stated
+        run.outputs[#run.outputs + 1] = {
+            parameter = parameter, index = index, is_handle = encoding.handle, operation = run.operation, at = run.at,
             stated = stated, dataset = not encoding.handle and reply_values.dataset_of(parameter, stated) or nil,
         }
     end
 
-    local function take_argument(parameter, encoding, value, at, after)
+    local function take_argument(parameter, encoding, value, at, after, run)
+        local steps = run.steps
         if steps and encoding.scope then
             local variable = argument_text(parameter, encoding, value)
             add_step(steps, VARIABLE, at, after - at, variable, parameter.label .. ": " .. variable)
@@ -169,32 +168,32 @@ do
             end
         end
         if encoding.scope then
-            check_variable(at, parameter, encoding, value)
+            check_variable(run, at, parameter, encoding, value)
             -- An address is the place of a value, not a value.
             if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
-                note_output(parameter, encoding, value)
+                note_output(run, parameter, encoding, value)
             end
         else
             if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
-                stated[parameter.name] = value
+                run.stated[parameter.name] = value
             end
             local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(at, misuse_of(parameter, encoding, value, operation.name, byte(content, at + 1)))
+                check_constant(run, at, parameter, encoding, value)
             end
         end
         if steps then add_encoding(steps, encoding) end
-        if said and parameter.key then say_argument(parameter, encoding, value) end
+        if run.said and parameter.key then say_argument(run, parameter, encoding, value) end
     end
 
     -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
     -- known. Returns the `line` of the operations, which may be empty; the offset `after` the last one that could be
     -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
     -- `wants_steps` the `steps` of their items.
-    local function read(text, at, wants_steps, asked_globals, asked_locals)
+    local function read(text, at, wants_steps, globals, locals)
         local first, phrase, others, fault, line = nil, "", {}, nil, ""
-        globals, locals, is_beyond, complaints, outputs = asked_globals, asked_locals, false, {}, {}
-        remark, steps, content = nil, wants_steps and {} or nil, text
+        local steps = wants_steps and {} or nil
+        local run = { text = text, steps = steps, globals = globals, locals = locals, complaints = {}, outputs = {} }
         while at < #text and not fault do
             local heading = steps and #steps
             if steps then add_step(steps, OPCODE, at, 1, byte(text, at + 1)) end
@@ -204,18 +203,19 @@ do
                 break
             end
             if byte(text, at + 1) == CLAIMS.never_sent then
-                report("refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
+                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
             end
             local cmd = selected.cmd_name
             if steps and cmd then
                 add_step(steps, CMD, at + 1, after - at - 1, selected.name)
                 if after > at + 2 then add_encoding(steps, reading.ENCODINGS[byte(text, at + 2)]) end
             end
-            operation, start, stated = selected, at, selected.has_stated and {} or NOTHING_STATED
+            run.operation, run.at, run.stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
-            said, said_count = (steps or not first) and "", 0
+            run.said, run.count = (steps or not first) and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, take_argument)
+            after, offset, reason, kind = read_arguments(selected, text, after, take_argument, run)
+            local said = run.said
             if not first then
                 first, phrase = selected, said
             else
@@ -230,10 +230,10 @@ do
         end
         if first then line = first.name .. phrase end
         if others[1] then line = line .. " " .. phrases.others_text(others) end
-        if first and remark then line = format("%s [%s]", line, remark) end
+        if first and run.remark then line = format("%s [%s]", line, run.remark) end
         return {
-            line = line, after = at, fault = fault, first = first, complaints = complaints, outputs = outputs,
-            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark, steps = steps,
+            line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
+            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
         }
     end
 
@@ -258,26 +258,24 @@ do
 
     -- Keeps a summary that was read; its steps only from the second time on that its items are shown, because some
     -- programs never repeat a command.
-    local function keep(body, summary, earlier)
+    local function keep(body, summary, is_again)
         if summary_bytes > MOST_BYTES or step_bytes > MOST_STEP_BYTES then operations.forget() end
-        local kept = steps
-        if steps and not (earlier and earlier.is_shown) then
-            kept, summary.steps, summary.is_shown = nil, nil, true
-        end
         if not summaries[body] then summary_bytes = summary_bytes + #body + SUMMARY_BYTES end
-        summaries[body], step_bytes = summary, step_bytes + (kept and #kept * STEP_BYTES or 0)
+        summaries[body], summary.is_shown = summary, summary.steps ~= nil
+        if not is_again then summary.steps = nil end
+        step_bytes = step_bytes + (summary.steps and #summary.steps * STEP_BYTES or 0)
     end
 
     -- Returns the summary of a direct command by its bytes after the type, and its steps if they are wanted. Offsets
     -- are those in the frame.
     function operations.summary_of(body, wants_steps)
-        local summary = summaries[body]
-        if summary and (summary.steps or not wants_steps) then return summary, summary.steps end
+        local kept = summaries[body]
+        if kept and (kept.steps or not wants_steps) then return kept, kept.steps end
         local text = HEADER .. body
         if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
-        local earlier = summary
-        summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
-        keep(body, summary, earlier)
+        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
+        local steps = summary.steps
+        keep(body, summary, kept and kept.is_shown)
         return summary, steps
     end
 
@@ -304,7 +302,7 @@ do
     function operations.show_payload(text, at, view, payload)
         local summary = read(text, at, payload ~= nil)
         if summary.fault then return summary.line, summary.after, summary.fault end
-        return show(summary, steps, payload, view)
+        return show(summary, summary.steps, payload, view)
     end
 
     -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.

@@ -115,9 +115,10 @@ do
     end
 
     -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
-    function reading.select_operation(text, at)
+    -- `set` has the instructions, by default the preferred ones.
+    function reading.select_operation(text, at, set)
         local code = byte(text, at + 1)
-        local operation, after = instructions[code], at + 1
+        local operation, after = (set or instructions)[code], at + 1
         if not operation then
             return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
         end
@@ -162,9 +163,9 @@ do
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
-    -- parameter, encoding, value, and the offsets of its first byte and after its last. Returns the offset after the
-    -- last one that could be read, and after a fault its offset, reason and kind.
-    function reading.read_arguments(operation, text, at, visit)
+    -- parameter, encoding, value, the offsets of its first byte and after its last, and `context`. Returns the offset
+    -- after the last one that could be read, and after a fault its offset, reason and kind.
+    function reading.read_arguments(operation, text, at, visit, context)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -173,7 +174,7 @@ do
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
-            visit(parameter, encoding, value, at, after)
+            visit(parameter, encoding, value, at, after, context)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
                     element_type = FORMAT_TYPES[value] or element_type
@@ -192,8 +193,8 @@ do
     local function pass_over() end
 
     -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
-    function reading.read_operation(text, at, visit)
-        local operation, after, reason, kind = reading.select_operation(text, at)
+    function reading.read_operation(text, at, visit, set)
+        local operation, after, reason, kind = reading.select_operation(text, at, set)
         if not operation then return nil, at, after, reason, kind end
         return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end

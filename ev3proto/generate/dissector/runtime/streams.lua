@@ -20,20 +20,20 @@ do
     end
 
     -- Adds bytes that are not a frame. Returns their item, nil without a tree.
-    local function add_bytes(tvb, at, stop, tree, is_shown, said, declared)
-        if not is_shown then return nil end
+    local function add_bytes(tvb, at, stop, tree, brick, said, declared)
+        if not brick then return nil end
         local range = tvb(at, stop - at)
-        local item = add_item(tree, range, said)
+        local item = add_item(tree, range, brick, said)
         item:add(declared, range)
         return item
     end
 
     -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
     -- zero of its answer, unless that zero is the start of a frame's length.
-    local function dissect_text(tvb, text, at, tree, is_shown)
+    local function dissect_text(tvb, text, at, tree, brick)
         local after, serial = match_unlock(text, at)
         if after then
-            local item = add_bytes(tvb, at, after, tree, is_shown, "unlock " .. serial, field.unlock)
+            local item = add_bytes(tvb, at, after, tree, brick, "unlock " .. serial, field.unlock)
             if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
             return "unlock " .. serial, after
         end
@@ -41,7 +41,7 @@ do
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        add_bytes(tvb, at, after, tree, is_shown, "accepted", field.accept)
+        add_bytes(tvb, at, after, tree, brick, "accepted", field.accept)
         return "accepted", after
     end
 
@@ -71,8 +71,8 @@ do
         return stop == #text and after - 1 or nil
     end
 
-    local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
-        complain(add_bytes(tvb, at, stop, tree, is_shown, said, field.rest) or tree, kind, reason)
+    local function add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
+        complain(add_bytes(tvb, at, stop, tree, brick, said, field.rest) or tree, kind, reason)
         return said, stop
     end
 
@@ -100,13 +100,13 @@ do
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain, left_over, is_lost)
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
         local count = phrases.plural(stop - at, "byte")
         local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
         local reason = reason_of(length, plain, left_over, is_lost)
-        return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -186,13 +186,13 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
-    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
         local no_frame_at
         while at < captured do
             local said, after, verdict, wanted
             if UNLOCK.starts[byte(text, at + 1)] then
-                said, after = dissect_text(tvb, text, at, tree, is_shown)
+                said, after = dissect_text(tvb, text, at, tree, brick)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
                 local is_again = said and conversation and conversation.number
@@ -204,7 +204,7 @@ do
             local polled = step ~= "lost" and after_polls(text, at) or at
             if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
-                add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
+                add_bytes(tvb, at, after, tree, brick, said, field.padding)
             end
             if not said then
                 local step_then
@@ -214,7 +214,7 @@ do
             if verdict == OURS and captured - at < HEADER_SIZE then
                 local kind, reason = "cut_off", "the frame is cut off in its header"
                 if is_cut_by_capture(tvb, captured, pinfo) then kind = "cut_by_capture" end
-                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", kind, reason)
+                said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
@@ -223,12 +223,12 @@ do
                 if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
-                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown)
+                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
-                    add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
+                    add_bytes(tvb, at, after, tree, brick, said, field.rest)
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
                     local is_lost, place = step == "lost", storage.place_of(number, start + at)
@@ -245,7 +245,7 @@ do
                     step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
                     if after > at then
                         local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain,
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
                             is_after and stop - at, is_lost)
                         lost = lost + after - at
                     end

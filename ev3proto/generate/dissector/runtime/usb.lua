@@ -43,16 +43,16 @@ do
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
-        local number, offset, is_shown, captured = pinfo.number, offset_of(tvb), has_tree(tree), captured_len(tvb)
+        local number, offset, captured = pinfo.number, offset_of(tvb), captured_len(tvb)
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
         local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
-        brick = is_shown and device
+        local brick = has_tree(tree) and device
         local place = storage.place_of(number, offset)
-        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
+        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, brick, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
@@ -72,9 +72,9 @@ do
     -- Dissects a brick's report that does not contain a frame.
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
-        brick = device_key(pinfo)
+        local brick = has_tree(tree) and device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, brick)))
         show(pinfo, tvb, tree)
         return captured
     end

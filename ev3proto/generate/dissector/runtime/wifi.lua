@@ -142,19 +142,19 @@ do
 
         -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
-            local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
+            local captured, offset = #text, offset_of(tvb)
             if known and known.claims ~= conversation.claims then
                 known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, start)
-            brick = is_shown and (conversation or connection_of(pinfo)).name
+            local brick = has_tree(tree) and (conversation or connection_of(pinfo)).name
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
             if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
-                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
+                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
                 local stream = {
@@ -168,7 +168,7 @@ do
                 }
                 local after, wanted
                 after, wanted, lost, step =
-                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
                 if after < captured then
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
@@ -342,7 +342,7 @@ do
         end
 
         local function dissect_beacon(tvb, text, tree, pinfo)
-            local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
+            local item = has_tree(tree) and add_item(tree, tvb(), nil, "beacon")
             local at, values, port = 0, {}, nil
             for _, line in ipairs(CARRIERS.beacon_lines) do
                 local head = line.label .. ": "
@@ -382,7 +382,6 @@ do
         -- Dissects a brick's beacon, or a host's answer to it from or to the port of beacons.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
-            brick = nil
             local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
             local said, port
             if is_beacon(tvb, text, is_forced) then
@@ -390,9 +389,10 @@ do
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
                 if not pinfo.visited then answers[number] = (entry_at(bricks, pinfo.dst, 0) or {}).name end
-                brick, said = answers[number], "answer to a beacon"
+                local brick = answers[number]
+                said = "answer to a beacon"
                 if not brick and not is_forced then return 0 end
-                if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
+                if has_tree(tree) then add_item(tree, tvb(), brick, said):add(field.beacon_answer, tvb()) end
             end
             start_line(number, tvb:offset())
             say(said)

@@ -31,7 +31,8 @@ local CONSTANT, CONSTANT_TEXT, LOCAL, GLOBAL, JUMP =
     "CONSTANT", "CONSTANT_TEXT", "LOCAL", "GLOBAL", "JUMP"
 local U8, U16, U32, TEXT, COUNTED_TEXT, BYTES, LISTING =
     "U8", "U16", "U32", "TEXT", "COUNTED_TEXT", "BYTES", "LISTING"
-local TYPE_NAMES = { DATA8 = "DATA8", DATA16 = "DATA16", DATA32 = "DATA32", DATAF = "DATAF", STRING = "string", HANDLE = "handle", ARRAY_TYPED = "array-typed", LABEL = "label", COUNT = "count", VALUES = "values" }
+local TYPE_NAMES = { DATA8 = "DATA8", DATA16 = "DATA16", DATA32 = "DATA32", DATAF = "DATAF", STRING = "string", HANDLE = "handle",
+    ARRAY_TYPED = "array-typed", LABEL = "label", COUNT = "count", VALUES = "values" }
 -- Bytes of a value in memory, for the types that have one.
 local SIZE_OF = { DATA8 = 1, DATA16 = 2, DATA32 = 4, DATAF = 4, HANDLE = 2 }
 local DIALECTS = { "official", "xtended", "compat" }
@@ -135,557 +136,2200 @@ local ENCODING_ROWS = {
 local ENUMERATIONS = {
     BROWSERTYPE = { names = { [0] = "BROWSE_FOLDERS", [1] = "BROWSE_FOLDS_FILES", [2] = "BROWSE_CACHE", [3] = "BROWSE_FILES" } },
     BTTYPE = { names = { [3] = "BTTYPE_PC", [4] = "BTTYPE_PHONE", [5] = "BTTYPE_BRICK", [6] = "BTTYPE_UNKNOWN" } },
-    BUTTONTYPE = { names = { [0] = "NO_BUTTON", [1] = "UP_BUTTON", [2] = "ENTER_BUTTON", [3] = "DOWN_BUTTON", [4] = "RIGHT_BUTTON", [5] = "LEFT_BUTTON", [6] = "BACK_BUTTON", [7] = "ANY_BUTTON" } },
-    CONN = { names = { [111] = "CONN_UNKNOWN", [117] = "CONN_DAISYCHAIN", [118] = "CONN_NXT_COLOR", [119] = "CONN_NXT_DUMB", [120] = "CONN_NXT_IIC", [121] = "CONN_INPUT_DUMB", [122] = "CONN_INPUT_UART", [123] = "CONN_OUTPUT_DUMB", [124] = "CONN_OUTPUT_INTELLIGENT", [125] = "CONN_OUTPUT_TACHO", [126] = "CONN_NONE", [127] = "CONN_ERROR" } },
-    DATA_FORMAT = { names = { [0] = "DATA_8", [1] = "DATA_16", [2] = "DATA_32", [3] = "DATA_F", [4] = "DATA_S", [5] = "DATA_A", [7] = "DATA_V", [16] = "DATA_PCT", [18] = "DATA_RAW", [19] = "DATA_SI" } },
-    DEL = { names = { [0] = "DEL_NONE", [1] = "DEL_TAB", [2] = "DEL_SPACE", [3] = "DEL_RETURN", [4] = "DEL_COLON", [5] = "DEL_COMMA", [6] = "DEL_LINEFEED", [7] = "DEL_CRLF" } },
+    BUTTONTYPE = { names = { [0] = "NO_BUTTON", [1] = "UP_BUTTON", [2] = "ENTER_BUTTON", [3] = "DOWN_BUTTON", [4] = "RIGHT_BUTTON", [5] = "LEFT_BUTTON",
+            [6] = "BACK_BUTTON", [7] = "ANY_BUTTON" } },
+    CONN = { names = { [111] = "CONN_UNKNOWN", [117] = "CONN_DAISYCHAIN", [118] = "CONN_NXT_COLOR", [119] = "CONN_NXT_DUMB", [120] = "CONN_NXT_IIC",
+            [121] = "CONN_INPUT_DUMB", [122] = "CONN_INPUT_UART", [123] = "CONN_OUTPUT_DUMB", [124] = "CONN_OUTPUT_INTELLIGENT",
+            [125] = "CONN_OUTPUT_TACHO", [126] = "CONN_NONE", [127] = "CONN_ERROR" } },
+    DATA_FORMAT = { names = { [0] = "DATA_8", [1] = "DATA_16", [2] = "DATA_32", [3] = "DATA_F", [4] = "DATA_S", [5] = "DATA_A", [7] = "DATA_V",
+            [16] = "DATA_PCT", [18] = "DATA_RAW", [19] = "DATA_SI" } },
+    DEL = { names = { [0] = "DEL_NONE", [1] = "DEL_TAB", [2] = "DEL_SPACE", [3] = "DEL_RETURN", [4] = "DEL_COLON", [5] = "DEL_COMMA",
+            [6] = "DEL_LINEFEED", [7] = "DEL_CRLF" } },
     ENCRYPT = { names = { [0] = "ENCRYPT_NONE", [1] = "ENCRYPT_WPA2" } },
-    FILETYPE = { names = { [0] = "FILETYPE_UNKNOWN", [1] = "TYPE_FOLDER", [2] = "TYPE_SOUND", [3] = "TYPE_BYTECODE", [4] = "TYPE_GRAPHICS", [5] = "TYPE_DATALOG", [6] = "TYPE_PROGRAM", [7] = "TYPE_TEXT", [16] = "TYPE_SDCARD", [32] = "TYPE_USBSTICK", [-1] = "TYPE_RESTART_BROWSER", [-2] = "TYPE_REFRESH_BROWSER" } },
+    FILETYPE = { names = { [0] = "FILETYPE_UNKNOWN", [1] = "TYPE_FOLDER", [2] = "TYPE_SOUND", [3] = "TYPE_BYTECODE", [4] = "TYPE_GRAPHICS",
+            [5] = "TYPE_DATALOG", [6] = "TYPE_PROGRAM", [7] = "TYPE_TEXT", [16] = "TYPE_SDCARD", [32] = "TYPE_USBSTICK",
+            [-1] = "TYPE_RESTART_BROWSER", [-2] = "TYPE_REFRESH_BROWSER" } },
     FONTTYPE = { names = { [0] = "NORMAL_FONT", [1] = "SMALL_FONT", [2] = "LARGE_FONT", [3] = "TINY_FONT" } },
     HWTYPE = { names = { [1] = "HW_USB", [2] = "HW_BT", [3] = "HW_WIFI" } },
     ICONTYPE = { names = { [0] = "NORMAL_ICON", [1] = "SMALL_ICON", [2] = "LARGE_ICON", [3] = "MENU_ICON", [4] = "ARROW_ICON" } },
-    LEDPATTERN = { names = { [0] = "LED_BLACK", [1] = "LED_GREEN", [2] = "LED_RED", [3] = "LED_ORANGE", [4] = "LED_GREEN_FLASH", [5] = "LED_RED_FLASH", [6] = "LED_ORANGE_FLASH", [7] = "LED_GREEN_PULSE", [8] = "LED_RED_PULSE", [9] = "LED_ORANGE_PULSE" } },
-    L_ICON_NO = { names = { [0] = "YES_NOTSEL", [1] = "YES_SEL", [2] = "NO_NOTSEL", [3] = "NO_SEL", [4] = "OFF", [5] = "WAIT_VERT", [6] = "WAIT_HORZ", [7] = "TO_MANUAL", [8] = "WARNSIGN", [9] = "WARN_BATT", [10] = "WARN_POWER", [11] = "WARN_TEMP", [12] = "NO_USBSTICK", [13] = "TO_EXECUTE", [14] = "TO_BRICK", [15] = "TO_SDCARD", [16] = "TO_USBSTICK", [17] = "TO_BLUETOOTH", [18] = "TO_WIFI", [19] = "TO_TRASH", [20] = "TO_COPY", [21] = "TO_FILE", [22] = "CHAR_ERROR", [23] = "COPY_ERROR", [24] = "PROGRAM_ERROR", [27] = "WARN_MEMORY" } },
-    N_ICON_NO = { names = { [-1] = "ICON_NONE", [0] = "ICON_RUN", [1] = "ICON_FOLDER", [2] = "ICON_FOLDER2", [3] = "ICON_USB", [4] = "ICON_SD", [5] = "ICON_SOUND", [6] = "ICON_IMAGE", [7] = "ICON_SETTINGS", [8] = "ICON_ONOFF", [9] = "ICON_SEARCH", [10] = "ICON_WIFI", [11] = "ICON_CONNECTIONS", [12] = "ICON_ADD_HIDDEN", [13] = "ICON_TRASHBIN", [14] = "ICON_VISIBILITY", [15] = "ICON_KEY", [16] = "ICON_CONNECT", [17] = "ICON_DISCONNECT", [18] = "ICON_UP", [19] = "ICON_DOWN", [20] = "ICON_WAIT1", [21] = "ICON_WAIT2", [22] = "ICON_BLUETOOTH", [23] = "ICON_INFO", [24] = "ICON_TEXT", [27] = "ICON_QUESTIONMARK", [28] = "ICON_INFO_FILE", [29] = "ICON_DISC", [30] = "ICON_CONNECTED", [31] = "ICON_OBP", [32] = "ICON_OBD", [33] = "ICON_OPENFOLDER", [34] = "ICON_BRICK1" } },
+    LEDPATTERN = { names = { [0] = "LED_BLACK", [1] = "LED_GREEN", [2] = "LED_RED", [3] = "LED_ORANGE", [4] = "LED_GREEN_FLASH", [5] = "LED_RED_FLASH",
+            [6] = "LED_ORANGE_FLASH", [7] = "LED_GREEN_PULSE", [8] = "LED_RED_PULSE", [9] = "LED_ORANGE_PULSE" } },
+    L_ICON_NO = { names = { [0] = "YES_NOTSEL", [1] = "YES_SEL", [2] = "NO_NOTSEL", [3] = "NO_SEL", [4] = "OFF", [5] = "WAIT_VERT", [6] = "WAIT_HORZ",
+            [7] = "TO_MANUAL", [8] = "WARNSIGN", [9] = "WARN_BATT", [10] = "WARN_POWER", [11] = "WARN_TEMP", [12] = "NO_USBSTICK",
+            [13] = "TO_EXECUTE", [14] = "TO_BRICK", [15] = "TO_SDCARD", [16] = "TO_USBSTICK", [17] = "TO_BLUETOOTH", [18] = "TO_WIFI",
+            [19] = "TO_TRASH", [20] = "TO_COPY", [21] = "TO_FILE", [22] = "CHAR_ERROR", [23] = "COPY_ERROR", [24] = "PROGRAM_ERROR",
+            [27] = "WARN_MEMORY" } },
+    N_ICON_NO = { names = { [-1] = "ICON_NONE", [0] = "ICON_RUN", [1] = "ICON_FOLDER", [2] = "ICON_FOLDER2", [3] = "ICON_USB", [4] = "ICON_SD",
+            [5] = "ICON_SOUND", [6] = "ICON_IMAGE", [7] = "ICON_SETTINGS", [8] = "ICON_ONOFF", [9] = "ICON_SEARCH", [10] = "ICON_WIFI",
+            [11] = "ICON_CONNECTIONS", [12] = "ICON_ADD_HIDDEN", [13] = "ICON_TRASHBIN", [14] = "ICON_VISIBILITY", [15] = "ICON_KEY",
+            [16] = "ICON_CONNECT", [17] = "ICON_DISCONNECT", [18] = "ICON_UP", [19] = "ICON_DOWN", [20] = "ICON_WAIT1",
+            [21] = "ICON_WAIT2", [22] = "ICON_BLUETOOTH", [23] = "ICON_INFO", [24] = "ICON_TEXT", [27] = "ICON_QUESTIONMARK",
+            [28] = "ICON_INFO_FILE", [29] = "ICON_DISC", [30] = "ICON_CONNECTED", [31] = "ICON_OBP", [32] = "ICON_OBD",
+            [33] = "ICON_OPENFOLDER", [34] = "ICON_BRICK1" } },
     OBJSTAT = { names = { [16] = "RUNNING", [32] = "WAITING", [64] = "STOPPED", [128] = "HALTED" } },
     RESULT = { names = { [0] = "OK", [1] = "BUSY", [2] = "FAIL", [4] = "STOP", [8] = "START" } },
     SLOT = { names = { [0] = "GUI_SLOT", [1] = "USER_SLOT", [2] = "CMD_SLOT", [3] = "TERM_SLOT", [4] = "DEBUG_SLOT", [-1] = "CURRENT_SLOT" } },
-    TYPE = { names = { [-1] = "MODE_KEEP", [0] = "TYPE_KEEP", [1] = "TYPE_NXT_TOUCH", [2] = "TYPE_NXT_LIGHT", [3] = "TYPE_NXT_SOUND", [4] = "TYPE_NXT_COLOR", [5] = "TYPE_NXT_ULTRASONIC", [6] = "TYPE_NXT_TEMPERATURE", [7] = "TYPE_TACHO", [8] = "TYPE_MINITACHO", [9] = "TYPE_NEWTACHO", [16] = "TYPE_TOUCH", [29] = "TYPE_COLOR", [30] = "TYPE_ULTRASONIC", [32] = "TYPE_GYRO", [33] = "TYPE_IR", [50] = "TYPE_THIRD_PARTY_START", [98] = "TYPE_THIRD_PARTY_END", [99] = "TYPE_ENERGYMETER", [100] = "TYPE_IIC_UNKNOWN", [101] = "TYPE_NXT_TEST", [123] = "TYPE_NXT_IIC", [124] = "TYPE_TERMINAL", [125] = "TYPE_UNKNOWN", [126] = "TYPE_NONE", [127] = "TYPE_ERROR" } },
-    WARNING = { is_flags = true, names = { [1] = "WARNING_TEMP", [2] = "WARNING_CURRENT", [4] = "WARNING_VOLTAGE", [8] = "WARNING_MEMORY", [16] = "WARNING_DSPSTAT", [32] = "WARNING_RAM", [64] = "WARNING_BATTLOW", [128] = "WARNING_BUSY" } },
+    TYPE = { names = { [-1] = "MODE_KEEP", [0] = "TYPE_KEEP", [1] = "TYPE_NXT_TOUCH", [2] = "TYPE_NXT_LIGHT", [3] = "TYPE_NXT_SOUND",
+            [4] = "TYPE_NXT_COLOR", [5] = "TYPE_NXT_ULTRASONIC", [6] = "TYPE_NXT_TEMPERATURE", [7] = "TYPE_TACHO", [8] = "TYPE_MINITACHO",
+            [9] = "TYPE_NEWTACHO", [16] = "TYPE_TOUCH", [29] = "TYPE_COLOR", [30] = "TYPE_ULTRASONIC", [32] = "TYPE_GYRO",
+            [33] = "TYPE_IR", [50] = "TYPE_THIRD_PARTY_START", [98] = "TYPE_THIRD_PARTY_END", [99] = "TYPE_ENERGYMETER",
+            [100] = "TYPE_IIC_UNKNOWN", [101] = "TYPE_NXT_TEST", [123] = "TYPE_NXT_IIC", [124] = "TYPE_TERMINAL", [125] = "TYPE_UNKNOWN",
+            [126] = "TYPE_NONE", [127] = "TYPE_ERROR" } },
+    WARNING = { is_flags = true,
+        names = { [1] = "WARNING_TEMP", [2] = "WARNING_CURRENT", [4] = "WARNING_VOLTAGE", [8] = "WARNING_MEMORY", [16] = "WARNING_DSPSTAT",
+            [32] = "WARNING_RAM", [64] = "WARNING_BATTLOW", [128] = "WARNING_BUSY" } },
 }
 
 -- The types of values by DATA_FORMAT.
-local FORMAT_TYPES = { [0] = DATA8, [1] = DATA16, [2] = DATA32, [3] = DATAF, [4] = STRING, [5] = ARRAY_TYPED, [7] = ARRAY_TYPED, [16] = DATA8, [18] = DATA32, [19] = DATAF }
+local FORMAT_TYPES = { [0] = DATA8, [1] = DATA16, [2] = DATA32, [3] = DATAF, [4] = STRING, [5] = ARRAY_TYPED, [7] = ARRAY_TYPED, [16] = DATA8,
+    [18] = DATA32, [19] = DATAF }
 
 -- Operations ---------------------------------------------------------------------------------------------------------
 --
 -- Opcode, name, description; then parameters or, for a family, its commands, which have the same. A parameter
--- is a name, direction, type and description. Parameters are texts, which are parsed when an operation is
--- first seen.
+-- is a name, direction, type and description.
 
 local OPERATIONS = {
-    { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", [[]] },
-    { 0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers", [[]] },
-    { 0x02, "PROGRAM_STOP", "Stops the program of a slot", [[ { "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT, special = { [0] = "all programs", [-1] = "the calling program" }, outside = { ", which is not in SLOT", "NO_MEMBER" } } ]] },
-    { 0x03, "PROGRAM_START", "Starts a loaded program; a direct command can do this only while no user program runs", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" }, { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" }, { "DEBUG", IN, DATA8, "how to run it", special = { [0] = "run", [1] = "debug", [2] = "load, do not run" }, range = { 0, 2 }, outside = { ", outside of 0 to 2", "OUTSIDE" } } ]] },
-    { 0x04, "OBJECT_STOP", "Stops an object of its own program", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-    { 0x05, "OBJECT_START", "Starts an object of its own program", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-    { 0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-    { 0x07, "OBJECT_WAIT", "Waits until an object has ended", [[ { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-    { 0x08, "RETURN", "Returns from a subroutine to its caller", [[]] },
-    { 0x09, "CALL", "Calls a subroutine of its own program; waits while another thread runs it", [[ { "OBJID", IN, DATA16, "object number of the subroutine, counted from 1" }, { "PARAMETERS", IN, COUNT, "number of parameters follow; the subroutine declares their types and directions", any = true, element = DATA32, elements = IN } ]] },
-    { 0x0A, "OBJECT_END", "Ends the object; the firmware appends one to every direct command", [[]] },
-    { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice", [[]] },
-    { 0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects", commands = {
-            { 0, "OBJ_STOP", "Stops an object of a running program", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-            { 4, "OBJ_START", "Starts an object of a running program from its beginning", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "OBJID", IN, DATA16, "object of the program, counted from 1" } ]] },
-            { 22, "GET_STATUS", "Asks whether a program runs", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "DATA", OUT, DATA8, "state of the program", enum = ENUMERATIONS.OBJSTAT } ]] },
-            { 23, "GET_SPEED", "Asks for a program's speed", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" } ]] },
-            { 24, "GET_PRGRESULT", "Asks how a program ended", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "DATA", OUT, DATA8, "OK, BUSY (still running) or FAIL", enum = ENUMERATIONS.RESULT } ]] },
-            { 25, "SET_INSTR", "Sets how many instructions the calling thread may still run in its time slice", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } } ]] },
-            { 26, "GET_PRGNAME", "Asks for the name of a program", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "NAME", OUT, STRING, "name of the program, zero-terminated" } ]], dialects = { xtended = true, compat = true } },
+    { 0x00, "ERROR", "Ends the program with a failure; never valid on the wire", {} },
+    { 0x01, "NOP", "Does nothing; a harmless way to test whether the brick answers", {} },
+    { 0x02, "PROGRAM_STOP", "Stops the program of a slot",
+        { { "PRGID", IN, DATA16, "program slot to stop", enum = ENUMERATIONS.SLOT,
+                special = { [0] = "all programs", [-1] = "the calling program" }, outside = { ", which is not in SLOT", "NO_MEMBER" } } } },
+    { 0x03, "PROGRAM_START", "Starts a loaded program; a direct command can do this only while no user program runs",
+        { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+            { "SIZE", IN, DATA32, "size of the image; read and ignored", unit = "bytes" },
+            { "IP", IN, DATA32, "address of the image, as FILE.LOAD_IMAGE returned it" },
+            { "DEBUG", IN, DATA8, "how to run it", special = { [0] = "run", [1] = "debug", [2] = "load, do not run" }, range = { 0, 2 },
+                outside = { ", outside of 0 to 2", "OUTSIDE" } } } },
+    { 0x04, "OBJECT_STOP", "Stops an object of its own program", { { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+    { 0x05, "OBJECT_START", "Starts an object of its own program", { { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+    { 0x06, "OBJECT_TRIG", "Counts an object's trigger down; at zero the object starts",
+        { { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+    { 0x07, "OBJECT_WAIT", "Waits until an object has ended", { { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+    { 0x08, "RETURN", "Returns from a subroutine to its caller", {} },
+    { 0x09, "CALL", "Calls a subroutine of its own program; waits while another thread runs it",
+        { { "OBJID", IN, DATA16, "object number of the subroutine, counted from 1" },
+            { "PARAMETERS", IN, COUNT, "number of parameters follow; the subroutine declares their types and directions", any = true,
+                element = DATA32, elements = IN } } },
+    { 0x0A, "OBJECT_END", "Ends the object; the firmware appends one to every direct command", {} },
+    { 0x0B, "SLEEP", "Gives up the rest of the thread's time slice", {} },
+    { 0x0C, "PROGRAM_INFO", "Asks about a program or controls its objects",
+        commands = {
+            { 0, "OBJ_STOP", "Stops an object of a running program",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+            { 4, "OBJ_START", "Starts an object of a running program from its beginning",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "OBJID", IN, DATA16, "object of the program, counted from 1" } } },
+            { 22, "GET_STATUS", "Asks whether a program runs",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "DATA", OUT, DATA8, "state of the program", enum = ENUMERATIONS.OBJSTAT } } },
+            { 23, "GET_SPEED", "Asks for a program's speed",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "DATA", OUT, DATA32, "speed since the program started", unit = "instructions/s" } } },
+            { 24, "GET_PRGRESULT", "Asks how a program ended",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "DATA", OUT, DATA8, "OK, BUSY (still running) or FAIL", enum = ENUMERATIONS.RESULT } } },
+            { 25, "SET_INSTR", "Sets how many instructions the calling thread may still run in its time slice",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } } } },
+            { 26, "GET_PRGNAME", "Asks for the name of a program",
+                { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "NAME", OUT, STRING, "name of the program, zero-terminated" } },
+                dialects = { xtended = true, compat = true } },
         } },
-    { 0x0D, "LABEL", "Marks a place that jumps can name; does nothing itself", [[ { "NO", IN, LABEL, "number of the label", range = { 0, 31 }, is_label = true } ]] },
-    { 0x0E, "PROBE", "Prints a program's memory on the brick's debug terminal", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } }, { "OFFSET", IN, DATA32, "first byte", unit = "bytes" }, { "SIZE", IN, DATA32, "number of bytes to print", unit = "bytes", special = { [0] = "all, 1024 at most" }, range = { 0, 1024 }, outside = { " bytes, outside of 0 to 1024 bytes", "OUTSIDE" } } ]] },
-    { 0x0F, "DO", "Runs byte code that is already in memory, ending the slot's previous program", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "IMAGE", IN, DATA32, "address of the byte code image" }, { "GLOBAL", IN, DATA32, "address of the global memory it uses" } ]] },
-    { 0x60, "SYSTEM", "Runs a shell command on the brick's Linux and waits until it ends", [[ { "COMMAND", IN, STRING, "the command line" }, { "STATUS", OUT, DATA32, "wait status as C's system() gives it: 256 times the exit code", special = { [0] = "success", [-1] = "could not run" } } ]] },
-    { 0x61, "PORT_CNV_OUTPUT", "Splits a motor port number as LEGO's editor writes it", [[ { "PortIn", IN, DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)" }, { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } }, { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8", range = { 0, 15 } }, { "Inverted", OUT, DATA8, "whether the first port comes after the second, as in CA", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-    { 0x62, "PORT_CNV_INPUT", "Splits a sensor port number as LEGO's editor writes it", [[ { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" }, { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } }, { "PortOut", OUT, DATA8, "sensor port minus one, as in INPUT_*", range = { 0, 3 } } ]] },
-    { 0x63, "NOTE_TO_FREQ", "Converts the name of a note to its frequency", [[ { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" }, { "FREQ", OUT, DATA16, "frequency; 440 for an unknown note", unit = "Hz", range = { 262, 1976 } } ]] },
-    { 0x7C, "INFO", "Reads and sets the error log, the volume and the time to power off", commands = {
-            { 1, "SET_ERROR", "Adds an error to the brick's error log", [[ { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "nothing is logged" } } ]] },
-            { 2, "GET_ERROR", "Removes and returns the oldest error of the brick's error log", [[ { "NUMBER", OUT, DATA8, "number of the error", special = { [0] = "the log is empty" } } ]] },
-            { 3, "ERRORTEXT", "Converts the number of an error to its name", [[ { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "gives an empty text" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "no limit" } }, { "DESTINATION", OUT, STRING, "name of the error, at most 31 characters", length = "LENGTH" } ]] },
-            { 4, "GET_VOLUME", "Reads the volume setting", [[ { "VALUE", OUT, DATA8, "volume", unit = "%", range = { 0, 100 } } ]] },
-            { 5, "SET_VOLUME", "Changes the volume setting", [[ { "VALUE", IN, DATA8, "volume", unit = "%", range = { 0, 100 }, outside = { " %, outside of 0 to 100 %", "OUTSIDE" } } ]] },
-            { 6, "GET_MINUTES", "Reads the idle time after which the brick powers off", [[ { "VALUE", OUT, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 } } ]] },
-            { 7, "SET_MINUTES", "Changes the idle time after which the brick powers off", [[ { "VALUE", IN, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 }, outside = { " min, outside of 0 to 120 min", "OUTSIDE" } } ]] },
+    { 0x0D, "LABEL", "Marks a place that jumps can name; does nothing itself",
+        { { "NO", IN, LABEL, "number of the label", range = { 0, 31 }, is_label = true } } },
+    { 0x0E, "PROBE", "Prints a program's memory on the brick's debug terminal",
+        { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+            { "OBJID", IN, DATA16, "object whose local memory to print", special = { [0] = "the global memory" } },
+            { "OFFSET", IN, DATA32, "first byte", unit = "bytes" },
+            { "SIZE", IN, DATA32, "number of bytes to print", unit = "bytes", special = { [0] = "all, 1024 at most" }, range = { 0, 1024 },
+                outside = { " bytes, outside of 0 to 1024 bytes", "OUTSIDE" } } } },
+    { 0x0F, "DO", "Runs byte code that is already in memory, ending the slot's previous program",
+        { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+            { "IMAGE", IN, DATA32, "address of the byte code image" }, { "GLOBAL", IN, DATA32, "address of the global memory it uses" } } },
+    { 0x60, "SYSTEM", "Runs a shell command on the brick's Linux and waits until it ends",
+        { { "COMMAND", IN, STRING, "the command line" },
+            { "STATUS", OUT, DATA32, "wait status as C's system() gives it: 256 times the exit code",
+                special = { [0] = "success", [-1] = "could not run" } } } },
+    { 0x61, "PORT_CNV_OUTPUT", "Splits a motor port number as LEGO's editor writes it",
+        { { "PortIn", IN, DATA32, "three decimal digits, each 1-4: layer, first port, second port (123: B and C)" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
+            { "Bitfield", OUT, DATA8, "motor ports as bits: A=1 B=2 C=4 D=8", range = { 0, 15 } },
+            { "Inverted", OUT, DATA8, "whether the first port comes after the second, as in CA", special = { [0] = "no", [1] = "yes" },
+                range = { 0, 1 } } } },
+    { 0x62, "PORT_CNV_INPUT", "Splits a sensor port number as LEGO's editor writes it",
+        { { "PortIn", IN, DATA32, "three decimal digits: layer 1-4, any, port 1-4 (103: port 3)" },
+            { "Layer", OUT, DATA8, "position in the daisy chain", special = { [0] = "this brick" }, range = { 0, 3 } },
+            { "PortOut", OUT, DATA8, "sensor port minus one, as in INPUT_*", range = { 0, 3 } } } },
+    { 0x63, "NOTE_TO_FREQ", "Converts the name of a note to its frequency",
+        { { "NOTE", IN, STRING, "C4 to B6, sharps as C#4" },
+            { "FREQ", OUT, DATA16, "frequency; 440 for an unknown note", unit = "Hz", range = { 262, 1976 } } } },
+    { 0x7C, "INFO", "Reads and sets the error log, the volume and the time to power off",
+        commands = {
+            { 1, "SET_ERROR", "Adds an error to the brick's error log",
+                { { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "nothing is logged" } } } },
+            { 2, "GET_ERROR", "Removes and returns the oldest error of the brick's error log",
+                { { "NUMBER", OUT, DATA8, "number of the error", special = { [0] = "the log is empty" } } } },
+            { 3, "ERRORTEXT", "Converts the number of an error to its name",
+                { { "NUMBER", IN, DATA8, "number of the error", special = { [0] = "gives an empty text" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "no limit" } },
+                    { "DESTINATION", OUT, STRING, "name of the error, at most 31 characters", length = "LENGTH" } } },
+            { 4, "GET_VOLUME", "Reads the volume setting", { { "VALUE", OUT, DATA8, "volume", unit = "%", range = { 0, 100 } } } },
+            { 5, "SET_VOLUME", "Changes the volume setting",
+                { { "VALUE", IN, DATA8, "volume", unit = "%", range = { 0, 100 }, outside = { " %, outside of 0 to 100 %", "OUTSIDE" } } } },
+            { 6, "GET_MINUTES", "Reads the idle time after which the brick powers off",
+                { { "VALUE", OUT, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 } } } },
+            { 7, "SET_MINUTES", "Changes the idle time after which the brick powers off",
+                { { "VALUE", IN, DATA8, "idle time", unit = "min", special = { [0] = "never" }, range = { 0, 120 },
+                        outside = { " min, outside of 0 to 120 min", "OUTSIDE" } } } },
         } },
-    { 0x7D, "STRINGS", "Works with texts: joins, compares, converts from and to numbers", commands = {
-            { 1, "GET_SIZE", "Reads the length of a text", [[ { "SOURCE1", IN, STRING, "text to work on" }, { "SIZE", OUT, DATA16, "its length, not including the zero", unit = "bytes" } ]] },
-            { 2, "ADD", "Joins two texts", [[ { "SOURCE1", IN, STRING, "first part" }, { "SOURCE2", IN, STRING, "second part" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } ]] },
-            { 3, "COMPARE", "Reports whether two texts are equal; case matters", [[ { "SOURCE1", IN, STRING, "one text" }, { "SOURCE2", IN, STRING, "the other text" }, { "RESULT", OUT, DATA8, "whether they are equal", special = { [0] = "different", [1] = "the same" }, range = { 0, 1 } } ]] },
-            { 5, "DUPLICATE", "Copies a text", [[ { "SOURCE1", IN, STRING, "text to work on" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } ]] },
-            { 6, "VALUE_TO_STRING", "Writes a floating-point number as text, without trailing zeros", [[ { "VALUE", IN, DATAF, "number to write; NaN becomes ----" }, { "FIGURES", IN, DATA8, "width, including the point; negative aligns left", unit = "characters" }, { "DECIMALS", IN, DATA8, "digits after the point" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated", most = 128 } ]] },
-            { 7, "STRING_TO_VALUE", "Reads a number from a text", [[ { "SOURCE1", IN, STRING, "text to read; a comma counts as decimal point" }, { "DESTINATION", OUT, DATAF, "the number" } ]] },
-            { 8, "STRIP", "Removes every space from a text", [[ { "SOURCE1", IN, STRING, "text to work on" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } ]] },
-            { 9, "NUMBER_TO_STRING", "Writes a whole number as text, with leading zeros", [[ { "VALUE", IN, DATA16, "number to write" }, { "FIGURES", IN, DATA8, "width of the text", unit = "characters" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated", most = 128 } ]] },
-            { 10, "SUB", "Returns the part of a text after another text found in it", [[ { "SOURCE1", IN, STRING, "text to search" }, { "SOURCE2", IN, STRING, "text to find; must occur" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } ]] },
-            { 11, "VALUE_FORMATTED", "Writes a floating-point number as text in a format of C's printf", [[ { "VALUE", IN, DATAF, "number to write" }, { "FORMAT", IN, STRING, "format, such as %5.2f" }, { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" }, { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" } ]] },
-            { 12, "NUMBER_FORMATTED", "Writes a whole number as text in a format of C's printf", [[ { "VALUE", IN, DATA32, "number to write" }, { "FORMAT", IN, STRING, "format, such as %05d or %X" }, { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" }, { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" } ]] },
+    { 0x7D, "STRINGS", "Works with texts: joins, compares, converts from and to numbers",
+        commands = {
+            { 1, "GET_SIZE", "Reads the length of a text",
+                { { "SOURCE1", IN, STRING, "text to work on" }, { "SIZE", OUT, DATA16, "its length, not including the zero", unit = "bytes" } } },
+            { 2, "ADD", "Joins two texts",
+                { { "SOURCE1", IN, STRING, "first part" }, { "SOURCE2", IN, STRING, "second part" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } } },
+            { 3, "COMPARE", "Reports whether two texts are equal; case matters",
+                { { "SOURCE1", IN, STRING, "one text" }, { "SOURCE2", IN, STRING, "the other text" },
+                    { "RESULT", OUT, DATA8, "whether they are equal", special = { [0] = "different", [1] = "the same" }, range = { 0, 1 } } } },
+            { 5, "DUPLICATE", "Copies a text",
+                { { "SOURCE1", IN, STRING, "text to work on" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } } },
+            { 6, "VALUE_TO_STRING", "Writes a floating-point number as text, without trailing zeros",
+                { { "VALUE", IN, DATAF, "number to write; NaN becomes ----" },
+                    { "FIGURES", IN, DATA8, "width, including the point; negative aligns left", unit = "characters" },
+                    { "DECIMALS", IN, DATA8, "digits after the point" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated", most = 128 } } },
+            { 7, "STRING_TO_VALUE", "Reads a number from a text",
+                { { "SOURCE1", IN, STRING, "text to read; a comma counts as decimal point" }, { "DESTINATION", OUT, DATAF, "the number" } } },
+            { 8, "STRIP", "Removes every space from a text",
+                { { "SOURCE1", IN, STRING, "text to work on" }, { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } } },
+            { 9, "NUMBER_TO_STRING", "Writes a whole number as text, with leading zeros",
+                { { "VALUE", IN, DATA16, "number to write" }, { "FIGURES", IN, DATA8, "width of the text", unit = "characters" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated", most = 128 } } },
+            { 10, "SUB", "Returns the part of a text after another text found in it",
+                { { "SOURCE1", IN, STRING, "text to search" }, { "SOURCE2", IN, STRING, "text to find; must occur" },
+                    { "DESTINATION", OUT, STRING, "resulting text, zero-terminated" } } },
+            { 11, "VALUE_FORMATTED", "Writes a floating-point number as text in a format of C's printf",
+                { { "VALUE", IN, DATAF, "number to write" }, { "FORMAT", IN, STRING, "format, such as %5.2f" },
+                    { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" },
+                    { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" } } },
+            { 12, "NUMBER_FORMATTED", "Writes a whole number as text in a format of C's printf",
+                { { "VALUE", IN, DATA32, "number to write" }, { "FORMAT", IN, STRING, "format, such as %05d or %X" },
+                    { "SIZE", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes" },
+                    { "DESTINATION", OUT, STRING, "resulting text", length = "SIZE" } } },
         } },
-    { 0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces", [[]] },
-    { 0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces", [[]] },
-    { 0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces", [[]] },
-    { 0x8B, "BP3", "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces", [[]] },
-    { 0x8C, "BP_SET", "Sets or removes a breakpoint in a running program", [[ { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "NO", IN, DATA8, "number of the breakpoint", special = { [3] = "pulse on test pin TP4, no stop" }, range = { 0, 2 }, outside = { ", outside of 0 to 2 or 3 (pulse on test pin TP4, no stop)", "OUTSIDE" } }, { "ADDRESS", IN, DATA32, "offset in the image", unit = "bytes", special = { [0] = "remove the breakpoint" } } ]] },
-    { 0xF0, "DYNLOAD_VMLOAD", "Loads an additional virtual machine; fails while another one is loaded", [[ { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } ]], dialects = { xtended = true, compat = true } },
-    { 0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", [[]], dialects = { xtended = true, compat = true } },
-    { 0xF2, "DYNLOAD_ENTRY_0", "Calls entry point 0 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF3, "DYNLOAD_ENTRY_1", "Calls entry point 1 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF4, "DYNLOAD_ENTRY_2", "Calls entry point 2 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF5, "DYNLOAD_ENTRY_3", "Calls entry point 3 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF6, "DYNLOAD_ENTRY_4", "Calls entry point 4 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF7, "DYNLOAD_ENTRY_5", "Calls entry point 5 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF8, "DYNLOAD_ENTRY_6", "Calls entry point 6 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xF9, "DYNLOAD_ENTRY_7", "Calls entry point 7 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xFA, "DYNLOAD_ENTRY_8", "Calls entry point 8 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xFB, "DYNLOAD_ENTRY_9", "Calls entry point 9 of the additional virtual machine that is loaded", [[ { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" }, { "LENGTH_OUT", OUT, DATA16, "number of elements returned" }, { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } ]], dialects = { xtended = true, compat = true } },
-    { 0xFC, "DYNLOAD_GET_VM", "Asks which additional virtual machine is loaded", [[ { "RESULT", OUT, DATA8, "which one", special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 } } ]], dialects = { xtended = true, compat = true } },
-    { 0xFF, "TST", "Tests the hardware, as the factory does; all fail before TST_OPEN", commands = {
-            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one restarts the timer", [[]] },
-            { 11, "TST_CLOSE", "Ends the test mode", [[]] },
-            { 12, "TST_READ_PINS", "Reads the pins of a connector", [[ { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "number of pins to read, usually 5" }, { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" } ]] },
-            { 13, "TST_WRITE_PINS", "Sets the pins of a connector", [[ { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "number of pins to set, usually 5" }, { "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - unchanged", length = "LENGTH" } ]] },
-            { 14, "TST_READ_ADC", "Reads the analog converter", [[ { "INDEX", IN, DATA8, "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports", special = { [12] = "battery temperature", [13] = "motor current", [14] = "battery current", [15] = "battery voltage" }, range = { 0, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "VALUE", OUT, DATA16, "raw reading", unit = "counts", range = { 0, 4095 } } ]] },
-            { 15, "TST_WRITE_UART", "Sends bytes on a sensor port's serial line", [[ { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 0, 63 }, outside = { " bytes, outside of 0 to 63 bytes", "OUTSIDE" } }, { "STRING", IN, DATA8, "the bytes", length = "LENGTH" } ]] },
-            { 16, "TST_READ_UART", "Reads the bytes received on a sensor port's serial line", [[ { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 63 }, outside = { " bytes, outside of 0 to 63 bytes", "OUTSIDE" } }, { "STRING", OUT, DATA8, "the bytes, padded with zeros", length = "LENGTH" } ]] },
-            { 17, "TST_ENABLE_UART", "Switches the serial lines of all sensor ports on", [[ { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s", range = { 2400, 115200 }, outside = { " bit/s, outside of 2400 to 115200 bit/s", "OUTSIDE" } } ]] },
-            { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off", [[]] },
-            { 19, "TST_ACCU_SWITCH", "Reads the switch that senses the rechargeable battery", [[ { "ACTIVE", OUT, DATA8, "state of the switch", special = { [0] = "other batteries", [1] = "rechargeable battery" }, range = { 0, 1 } } ]] },
-            { 20, "TST_BOOT_MODE2", "Starts Bluetooth mode 2, for Apple devices", [[]] },
-            { 21, "TST_POLL_MODE2", "Asks for the state of the start of Bluetooth mode 2", [[ { "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 }, is_ranged = true } ]] },
-            { 22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", [[]] },
-            { 23, "TST_RAM_CHECK", "Asks for the result of the memory test at power-on", [[ { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 }, is_ranged = true } ]] },
+    { 0x88, "BP0", "Stops at breakpoint 0; BP_SET puts it over the instruction it replaces", {} },
+    { 0x89, "BP1", "Stops at breakpoint 1; BP_SET puts it over the instruction it replaces", {} },
+    { 0x8A, "BP2", "Stops at breakpoint 2; BP_SET puts it over the instruction it replaces", {} },
+    { 0x8B, "BP3", "Pulses test pin TP4 and continues; BP_SET puts it over the instruction it replaces", {} },
+    { 0x8C, "BP_SET", "Sets or removes a breakpoint in a running program",
+        { { "PRGID", IN, DATA16, "program slot", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+            { "NO", IN, DATA8, "number of the breakpoint", special = { [3] = "pulse on test pin TP4, no stop" }, range = { 0, 2 },
+                outside = { ", outside of 0 to 2 or 3 (pulse on test pin TP4, no stop)", "OUTSIDE" } },
+            { "ADDRESS", IN, DATA32, "offset in the image", unit = "bytes", special = { [0] = "remove the breakpoint" } } } },
+    { 0xF0, "DYNLOAD_VMLOAD", "Loads an additional virtual machine; fails while another one is loaded",
+        { { "VMINDEX", IN, DATA8, "which one", special = { [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } },
+            { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF1, "DYNLOAD_VMEXIT", "Unloads the additional virtual machine", {}, dialects = { xtended = true, compat = true } },
+    { 0xF2, "DYNLOAD_ENTRY_0", "Calls entry point 0 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF3, "DYNLOAD_ENTRY_1", "Calls entry point 1 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF4, "DYNLOAD_ENTRY_2", "Calls entry point 2 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF5, "DYNLOAD_ENTRY_3", "Calls entry point 3 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF6, "DYNLOAD_ENTRY_4", "Calls entry point 4 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF7, "DYNLOAD_ENTRY_5", "Calls entry point 5 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF8, "DYNLOAD_ENTRY_6", "Calls entry point 6 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xF9, "DYNLOAD_ENTRY_7", "Calls entry point 7 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xFA, "DYNLOAD_ENTRY_8", "Calls entry point 8 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xFB, "DYNLOAD_ENTRY_9", "Calls entry point 9 of the additional virtual machine that is loaded",
+        { { "CMD", IN, DATA8, "function to call, in that machine's numbering" }, { "LENGTH_IN", IN, DATA8, "amount of data passed" },
+            { "LENGTH_OUT", OUT, DATA16, "number of elements returned" },
+            { "VALUE", OUT, ARRAY_TYPED, "the returned elements; their type depends on CMD", length = "LENGTH_OUT" } },
+        dialects = { xtended = true, compat = true } },
+    { 0xFC, "DYNLOAD_GET_VM", "Asks which additional virtual machine is loaded",
+        { { "RESULT", OUT, DATA8, "which one", special = { [-1] = "none", [0] = "RobotC", [1] = "LabVIEW" }, range = { 0, 1 } } },
+        dialects = { xtended = true, compat = true } },
+    { 0xFF, "TST", "Tests the hardware, as the factory does; all fail before TST_OPEN",
+        commands = {
+            { 10, "TST_OPEN", "Allows test commands for 10 seconds; each one restarts the timer", {} },
+            { 11, "TST_CLOSE", "Ends the test mode", {} },
+            { 12, "TST_READ_PINS", "Reads the pins of a connector",
+                { { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "number of pins to read, usually 5" },
+                    { "STRING", OUT, DATA8, "one character per pin: 0 low, 1 high", length = "LENGTH" } } },
+            { 13, "TST_WRITE_PINS", "Sets the pins of a connector",
+                { { "PORT", IN, DATA8, "connector: 0..3 are sensor ports 1-4, 16..19 are motor ports A-D", range = { 0, 19 },
+                        outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "number of pins to set, usually 5" },
+                    { "STRING", IN, DATA8, "one character per pin: 0 low, 1 high, X floating, - unchanged", length = "LENGTH" } } },
+            { 14, "TST_READ_ADC", "Reads the analog converter",
+                { { "INDEX", IN, DATA8, "channel: 0..3 pin 1 and 4..7 pin 6 of sensor ports, 8..11 pin 5 of motor ports",
+                        special = { [12] = "battery temperature", [13] = "motor current", [14] = "battery current", [15] = "battery voltage" },
+                        range = { 0, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+                    { "VALUE", OUT, DATA16, "raw reading", unit = "counts", range = { 0, 4095 } } } },
+            { 15, "TST_WRITE_UART", "Sends bytes on a sensor port's serial line",
+                { { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 0, 63 },
+                        outside = { " bytes, outside of 0 to 63 bytes", "OUTSIDE" } },
+                    { "STRING", IN, DATA8, "the bytes", length = "LENGTH" } } },
+            { 16, "TST_READ_UART", "Reads the bytes received on a sensor port's serial line",
+                { { "PORT", IN, DATA8, "sensor port minus one", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 63 },
+                        outside = { " bytes, outside of 0 to 63 bytes", "OUTSIDE" } },
+                    { "STRING", OUT, DATA8, "the bytes, padded with zeros", length = "LENGTH" } } },
+            { 17, "TST_ENABLE_UART", "Switches the serial lines of all sensor ports on",
+                { { "BITRATE", IN, DATA32, "speed of the line", unit = "bit/s", range = { 2400, 115200 },
+                        outside = { " bit/s, outside of 2400 to 115200 bit/s", "OUTSIDE" } } } },
+            { 18, "TST_DISABLE_UART", "Switches the serial lines of all sensor ports off", {} },
+            { 19, "TST_ACCU_SWITCH", "Reads the switch that senses the rechargeable battery",
+                { { "ACTIVE", OUT, DATA8, "state of the switch", special = { [0] = "other batteries", [1] = "rechargeable battery" },
+                        range = { 0, 1 } } } },
+            { 20, "TST_BOOT_MODE2", "Starts Bluetooth mode 2, for Apple devices", {} },
+            { 21, "TST_POLL_MODE2", "Asks for the state of the start of Bluetooth mode 2",
+                { { "STATUS", OUT, DATA8, "OK, BUSY (still starting) or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 }, is_ranged = true } } },
+            { 22, "TST_CLOSE_MODE2", "Ends Bluetooth mode 2", {} },
+            { 23, "TST_RAM_CHECK", "Asks for the result of the memory test at power-on",
+                { { "STATUS", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT, range = { 0, 2 }, is_ranged = true } } },
         } },
-    { 0x10, "ADD8", "Adds two 8-bit numbers", [[ { "SOURCE1", IN, DATA8, "first number" }, { "SOURCE2", IN, DATA8, "second number" }, { "DESTINATION", OUT, DATA8, "their sum" } ]] },
-    { 0x11, "ADD16", "Adds two 16-bit numbers", [[ { "SOURCE1", IN, DATA16, "first number" }, { "SOURCE2", IN, DATA16, "second number" }, { "DESTINATION", OUT, DATA16, "their sum" } ]] },
-    { 0x12, "ADD32", "Adds two 32-bit numbers", [[ { "SOURCE1", IN, DATA32, "first number" }, { "SOURCE2", IN, DATA32, "second number" }, { "DESTINATION", OUT, DATA32, "their sum" } ]] },
-    { 0x13, "ADDF", "Adds two floating-point numbers", [[ { "SOURCE1", IN, DATAF, "first number" }, { "SOURCE2", IN, DATAF, "second number" }, { "DESTINATION", OUT, DATAF, "their sum" } ]] },
-    { 0x14, "SUB8", "Subtracts one 8-bit number from another", [[ { "SOURCE1", IN, DATA8, "number to subtract from" }, { "SOURCE2", IN, DATA8, "number to subtract" }, { "DESTINATION", OUT, DATA8, "SOURCE1 less SOURCE2" } ]] },
-    { 0x15, "SUB16", "Subtracts one 16-bit number from another", [[ { "SOURCE1", IN, DATA16, "number to subtract from" }, { "SOURCE2", IN, DATA16, "number to subtract" }, { "DESTINATION", OUT, DATA16, "SOURCE1 less SOURCE2" } ]] },
-    { 0x16, "SUB32", "Subtracts one 32-bit number from another", [[ { "SOURCE1", IN, DATA32, "number to subtract from" }, { "SOURCE2", IN, DATA32, "number to subtract" }, { "DESTINATION", OUT, DATA32, "SOURCE1 less SOURCE2" } ]] },
-    { 0x17, "SUBF", "Subtracts one floating-point number from another", [[ { "SOURCE1", IN, DATAF, "number to subtract from" }, { "SOURCE2", IN, DATAF, "number to subtract" }, { "DESTINATION", OUT, DATAF, "SOURCE1 less SOURCE2" } ]] },
-    { 0x18, "MUL8", "Multiplies two 8-bit numbers", [[ { "SOURCE1", IN, DATA8, "first factor" }, { "SOURCE2", IN, DATA8, "second factor" }, { "DESTINATION", OUT, DATA8, "their product" } ]] },
-    { 0x19, "MUL16", "Multiplies two 16-bit numbers", [[ { "SOURCE1", IN, DATA16, "first factor" }, { "SOURCE2", IN, DATA16, "second factor" }, { "DESTINATION", OUT, DATA16, "their product" } ]] },
-    { 0x1A, "MUL32", "Multiplies two 32-bit numbers", [[ { "SOURCE1", IN, DATA32, "first factor" }, { "SOURCE2", IN, DATA32, "second factor" }, { "DESTINATION", OUT, DATA32, "their product" } ]] },
-    { 0x1B, "MULF", "Multiplies two floating-point numbers", [[ { "SOURCE1", IN, DATAF, "first factor" }, { "SOURCE2", IN, DATAF, "second factor" }, { "DESTINATION", OUT, DATAF, "their product" } ]] },
-    { 0x1C, "DIV8", "Divides two 8-bit numbers; by zero gives the largest or smallest value", [[ { "SOURCE1", IN, DATA8, "number to divide" }, { "SOURCE2", IN, DATA8, "number to divide by" }, { "DESTINATION", OUT, DATA8, "quotient, cut off towards zero (0 for 0 / 0)" } ]] },
-    { 0x1D, "DIV16", "Divides two 16-bit numbers; by zero gives the largest or smallest value", [[ { "SOURCE1", IN, DATA16, "number to divide" }, { "SOURCE2", IN, DATA16, "number to divide by" }, { "DESTINATION", OUT, DATA16, "quotient, cut off towards zero (0 for 0 / 0)" } ]] },
-    { 0x1E, "DIV32", "Divides two 32-bit numbers; by zero gives the largest or smallest value", [[ { "SOURCE1", IN, DATA32, "number to divide" }, { "SOURCE2", IN, DATA32, "number to divide by" }, { "DESTINATION", OUT, DATA32, "quotient, cut off towards zero (0 for 0 / 0)" } ]] },
-    { 0x1F, "DIVF", "Divides two floating-point numbers; by zero gives infinity or NaN", [[ { "SOURCE1", IN, DATAF, "number to divide" }, { "SOURCE2", IN, DATAF, "number to divide by" }, { "DESTINATION", OUT, DATAF, "quotient" } ]] },
-    { 0x20, "OR8", "Combines 8-bit values, bit by bit, by OR", [[ { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" }, { "DESTINATION", OUT, DATA8, "bits set in either" } ]] },
-    { 0x21, "OR16", "Combines 16-bit values, bit by bit, by OR", [[ { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" }, { "DESTINATION", OUT, DATA16, "bits set in either" } ]] },
-    { 0x22, "OR32", "Combines 32-bit values, bit by bit, by OR", [[ { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" }, { "DESTINATION", OUT, DATA32, "bits set in either" } ]] },
-    { 0x24, "AND8", "Combines 8-bit values, bit by bit, by AND", [[ { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" }, { "DESTINATION", OUT, DATA8, "bits set in both" } ]] },
-    { 0x25, "AND16", "Combines 16-bit values, bit by bit, by AND", [[ { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" }, { "DESTINATION", OUT, DATA16, "bits set in both" } ]] },
-    { 0x26, "AND32", "Combines 32-bit values, bit by bit, by AND", [[ { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" }, { "DESTINATION", OUT, DATA32, "bits set in both" } ]] },
-    { 0x28, "XOR8", "Combines 8-bit values, bit by bit, by exclusive OR", [[ { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" }, { "DESTINATION", OUT, DATA8, "bits set in just one of the two" } ]] },
-    { 0x29, "XOR16", "Combines 16-bit values, bit by bit, by exclusive OR", [[ { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" }, { "DESTINATION", OUT, DATA16, "bits set in just one of the two" } ]] },
-    { 0x2A, "XOR32", "Combines 32-bit values, bit by bit, by exclusive OR", [[ { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" }, { "DESTINATION", OUT, DATA32, "bits set in just one of the two" } ]] },
-    { 0x2C, "RL8", "Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost", [[ { "SOURCE1", IN, DATA8, "value to shift" }, { "SOURCE2", IN, DATA8, "number of places", unit = "bits" }, { "DESTINATION", OUT, DATA8, "shifted value, filled up with zero bits" } ]] },
-    { 0x2D, "RL16", "Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost", [[ { "SOURCE1", IN, DATA16, "value to shift" }, { "SOURCE2", IN, DATA16, "number of places", unit = "bits" }, { "DESTINATION", OUT, DATA16, "shifted value, filled up with zero bits" } ]] },
-    { 0x2E, "RL32", "Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost", [[ { "SOURCE1", IN, DATA32, "value to shift" }, { "SOURCE2", IN, DATA32, "number of places", unit = "bits" }, { "DESTINATION", OUT, DATA32, "shifted value, filled up with zero bits" } ]] },
-    { 0x8D, "MATH", "Applies a mathematical function", commands = {
-            { 1, "EXP", "Raises e to a power", [[ { "X", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } ]] },
-            { 2, "MOD", "Takes the remainder of a floating-point division", [[ { "X", IN, DATAF, "number to divide" }, { "Y", IN, DATAF, "number to divide by" }, { "R", OUT, DATAF, "remainder, with the sign of X" } ]] },
-            { 3, "FLOOR", "Rounds down to a whole number", [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]] },
-            { 4, "CEIL", "Rounds up to a whole number", [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]] },
-            { 5, "ROUND", "Rounds to the nearest whole number, halves away from zero", [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]] },
-            { 6, "ABS", "Drops the sign", [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]] },
-            { 7, "NEGATE", "Reverses the sign", [[ { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } ]] },
-            { 8, "SQRT", "Takes the square root", [[ { "X", IN, DATAF, "number to work on, not negative" }, { "R", OUT, DATAF, "result" } ]] },
-            { 9, "LOG", "Takes the logarithm to base 10", [[ { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } ]] },
-            { 10, "LN", "Takes the natural logarithm", [[ { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } ]] },
-            { 11, "SIN", "Takes the sine of an angle in degrees", [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "sine, -1 to 1" } ]] },
-            { 12, "COS", "Takes the cosine of an angle in degrees", [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "cosine, -1 to 1" } ]] },
-            { 13, "TAN", "Takes the tangent of an angle in degrees", [[ { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "tangent" } ]] },
-            { 14, "ASIN", "Finds the angle that has a sine", [[ { "X", IN, DATAF, "sine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]] },
-            { 15, "ACOS", "Finds the angle that has a cosine", [[ { "X", IN, DATAF, "cosine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]] },
-            { 16, "ATAN", "Finds the angle that has a tangent", [[ { "X", IN, DATAF, "tangent" }, { "R", OUT, DATAF, "angle", unit = "degrees" } ]] },
-            { 17, "MOD8", "Takes the remainder of an 8-bit division", [[ { "X", IN, DATA8, "number to divide" }, { "Y", IN, DATA8, "number to divide by, not 0" }, { "R", OUT, DATA8, "remainder, with the sign of X" } ]] },
-            { 18, "MOD16", "Takes the remainder of a 16-bit division", [[ { "X", IN, DATA16, "number to divide" }, { "Y", IN, DATA16, "number to divide by, not 0" }, { "R", OUT, DATA16, "remainder, with the sign of X" } ]] },
-            { 19, "MOD32", "Takes the remainder of a 32-bit division", [[ { "X", IN, DATA32, "number to divide" }, { "Y", IN, DATA32, "number to divide by, not 0" }, { "R", OUT, DATA32, "remainder, with the sign of X" } ]] },
-            { 20, "POW", "Raises a number to a power", [[ { "X", IN, DATAF, "number to raise" }, { "Y", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } ]] },
-            { 21, "TRUNC", "Cuts off decimals without rounding", [[ { "X", IN, DATAF, "number to work on" }, { "P", IN, DATA8, "number of decimals to keep (at most 6 are available)", range = { 0, 9 }, outside = { ", outside of 0 to 9", "OUTSIDE" } }, { "R", OUT, DATAF, "result" } ]] },
+    { 0x10, "ADD8", "Adds two 8-bit numbers",
+        { { "SOURCE1", IN, DATA8, "first number" }, { "SOURCE2", IN, DATA8, "second number" }, { "DESTINATION", OUT, DATA8, "their sum" } } },
+    { 0x11, "ADD16", "Adds two 16-bit numbers",
+        { { "SOURCE1", IN, DATA16, "first number" }, { "SOURCE2", IN, DATA16, "second number" }, { "DESTINATION", OUT, DATA16, "their sum" } } },
+    { 0x12, "ADD32", "Adds two 32-bit numbers",
+        { { "SOURCE1", IN, DATA32, "first number" }, { "SOURCE2", IN, DATA32, "second number" }, { "DESTINATION", OUT, DATA32, "their sum" } } },
+    { 0x13, "ADDF", "Adds two floating-point numbers",
+        { { "SOURCE1", IN, DATAF, "first number" }, { "SOURCE2", IN, DATAF, "second number" }, { "DESTINATION", OUT, DATAF, "their sum" } } },
+    { 0x14, "SUB8", "Subtracts one 8-bit number from another",
+        { { "SOURCE1", IN, DATA8, "number to subtract from" }, { "SOURCE2", IN, DATA8, "number to subtract" },
+            { "DESTINATION", OUT, DATA8, "SOURCE1 less SOURCE2" } } },
+    { 0x15, "SUB16", "Subtracts one 16-bit number from another",
+        { { "SOURCE1", IN, DATA16, "number to subtract from" }, { "SOURCE2", IN, DATA16, "number to subtract" },
+            { "DESTINATION", OUT, DATA16, "SOURCE1 less SOURCE2" } } },
+    { 0x16, "SUB32", "Subtracts one 32-bit number from another",
+        { { "SOURCE1", IN, DATA32, "number to subtract from" }, { "SOURCE2", IN, DATA32, "number to subtract" },
+            { "DESTINATION", OUT, DATA32, "SOURCE1 less SOURCE2" } } },
+    { 0x17, "SUBF", "Subtracts one floating-point number from another",
+        { { "SOURCE1", IN, DATAF, "number to subtract from" }, { "SOURCE2", IN, DATAF, "number to subtract" },
+            { "DESTINATION", OUT, DATAF, "SOURCE1 less SOURCE2" } } },
+    { 0x18, "MUL8", "Multiplies two 8-bit numbers",
+        { { "SOURCE1", IN, DATA8, "first factor" }, { "SOURCE2", IN, DATA8, "second factor" }, { "DESTINATION", OUT, DATA8, "their product" } } },
+    { 0x19, "MUL16", "Multiplies two 16-bit numbers",
+        { { "SOURCE1", IN, DATA16, "first factor" }, { "SOURCE2", IN, DATA16, "second factor" }, { "DESTINATION", OUT, DATA16, "their product" } } },
+    { 0x1A, "MUL32", "Multiplies two 32-bit numbers",
+        { { "SOURCE1", IN, DATA32, "first factor" }, { "SOURCE2", IN, DATA32, "second factor" }, { "DESTINATION", OUT, DATA32, "their product" } } },
+    { 0x1B, "MULF", "Multiplies two floating-point numbers",
+        { { "SOURCE1", IN, DATAF, "first factor" }, { "SOURCE2", IN, DATAF, "second factor" }, { "DESTINATION", OUT, DATAF, "their product" } } },
+    { 0x1C, "DIV8", "Divides two 8-bit numbers; by zero gives the largest or smallest value",
+        { { "SOURCE1", IN, DATA8, "number to divide" }, { "SOURCE2", IN, DATA8, "number to divide by" },
+            { "DESTINATION", OUT, DATA8, "quotient, cut off towards zero (0 for 0 / 0)" } } },
+    { 0x1D, "DIV16", "Divides two 16-bit numbers; by zero gives the largest or smallest value",
+        { { "SOURCE1", IN, DATA16, "number to divide" }, { "SOURCE2", IN, DATA16, "number to divide by" },
+            { "DESTINATION", OUT, DATA16, "quotient, cut off towards zero (0 for 0 / 0)" } } },
+    { 0x1E, "DIV32", "Divides two 32-bit numbers; by zero gives the largest or smallest value",
+        { { "SOURCE1", IN, DATA32, "number to divide" }, { "SOURCE2", IN, DATA32, "number to divide by" },
+            { "DESTINATION", OUT, DATA32, "quotient, cut off towards zero (0 for 0 / 0)" } } },
+    { 0x1F, "DIVF", "Divides two floating-point numbers; by zero gives infinity or NaN",
+        { { "SOURCE1", IN, DATAF, "number to divide" }, { "SOURCE2", IN, DATAF, "number to divide by" },
+            { "DESTINATION", OUT, DATAF, "quotient" } } },
+    { 0x20, "OR8", "Combines 8-bit values, bit by bit, by OR",
+        { { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" }, { "DESTINATION", OUT, DATA8, "bits set in either" } } },
+    { 0x21, "OR16", "Combines 16-bit values, bit by bit, by OR",
+        { { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" }, { "DESTINATION", OUT, DATA16, "bits set in either" } } },
+    { 0x22, "OR32", "Combines 32-bit values, bit by bit, by OR",
+        { { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" }, { "DESTINATION", OUT, DATA32, "bits set in either" } } },
+    { 0x24, "AND8", "Combines 8-bit values, bit by bit, by AND",
+        { { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" }, { "DESTINATION", OUT, DATA8, "bits set in both" } } },
+    { 0x25, "AND16", "Combines 16-bit values, bit by bit, by AND",
+        { { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" }, { "DESTINATION", OUT, DATA16, "bits set in both" } } },
+    { 0x26, "AND32", "Combines 32-bit values, bit by bit, by AND",
+        { { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" }, { "DESTINATION", OUT, DATA32, "bits set in both" } } },
+    { 0x28, "XOR8", "Combines 8-bit values, bit by bit, by exclusive OR",
+        { { "SOURCE1", IN, DATA8, "first" }, { "SOURCE2", IN, DATA8, "second" },
+            { "DESTINATION", OUT, DATA8, "bits set in just one of the two" } } },
+    { 0x29, "XOR16", "Combines 16-bit values, bit by bit, by exclusive OR",
+        { { "SOURCE1", IN, DATA16, "first" }, { "SOURCE2", IN, DATA16, "second" },
+            { "DESTINATION", OUT, DATA16, "bits set in just one of the two" } } },
+    { 0x2A, "XOR32", "Combines 32-bit values, bit by bit, by exclusive OR",
+        { { "SOURCE1", IN, DATA32, "first" }, { "SOURCE2", IN, DATA32, "second" },
+            { "DESTINATION", OUT, DATA32, "bits set in just one of the two" } } },
+    { 0x2C, "RL8", "Shifts 8-bit values left; despite the name (rotate), bits shifted out on the left are lost",
+        { { "SOURCE1", IN, DATA8, "value to shift" }, { "SOURCE2", IN, DATA8, "number of places", unit = "bits" },
+            { "DESTINATION", OUT, DATA8, "shifted value, filled up with zero bits" } } },
+    { 0x2D, "RL16", "Shifts 16-bit values left; despite the name (rotate), bits shifted out on the left are lost",
+        { { "SOURCE1", IN, DATA16, "value to shift" }, { "SOURCE2", IN, DATA16, "number of places", unit = "bits" },
+            { "DESTINATION", OUT, DATA16, "shifted value, filled up with zero bits" } } },
+    { 0x2E, "RL32", "Shifts 32-bit values left; despite the name (rotate), bits shifted out on the left are lost",
+        { { "SOURCE1", IN, DATA32, "value to shift" }, { "SOURCE2", IN, DATA32, "number of places", unit = "bits" },
+            { "DESTINATION", OUT, DATA32, "shifted value, filled up with zero bits" } } },
+    { 0x8D, "MATH", "Applies a mathematical function",
+        commands = {
+            { 1, "EXP", "Raises e to a power", { { "X", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } } },
+            { 2, "MOD", "Takes the remainder of a floating-point division",
+                { { "X", IN, DATAF, "number to divide" }, { "Y", IN, DATAF, "number to divide by" },
+                    { "R", OUT, DATAF, "remainder, with the sign of X" } } },
+            { 3, "FLOOR", "Rounds down to a whole number", { { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } } },
+            { 4, "CEIL", "Rounds up to a whole number", { { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } } },
+            { 5, "ROUND", "Rounds to the nearest whole number, halves away from zero",
+                { { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } } },
+            { 6, "ABS", "Drops the sign", { { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } } },
+            { 7, "NEGATE", "Reverses the sign", { { "X", IN, DATAF, "number to work on" }, { "R", OUT, DATAF, "result" } } },
+            { 8, "SQRT", "Takes the square root", { { "X", IN, DATAF, "number to work on, not negative" }, { "R", OUT, DATAF, "result" } } },
+            { 9, "LOG", "Takes the logarithm to base 10", { { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } } },
+            { 10, "LN", "Takes the natural logarithm", { { "X", IN, DATAF, "number to work on, above 0" }, { "R", OUT, DATAF, "result" } } },
+            { 11, "SIN", "Takes the sine of an angle in degrees",
+                { { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "sine, -1 to 1" } } },
+            { 12, "COS", "Takes the cosine of an angle in degrees",
+                { { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "cosine, -1 to 1" } } },
+            { 13, "TAN", "Takes the tangent of an angle in degrees",
+                { { "X", IN, DATAF, "angle", unit = "degrees" }, { "R", OUT, DATAF, "tangent" } } },
+            { 14, "ASIN", "Finds the angle that has a sine",
+                { { "X", IN, DATAF, "sine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } },
+                    { "R", OUT, DATAF, "angle", unit = "degrees" } } },
+            { 15, "ACOS", "Finds the angle that has a cosine",
+                { { "X", IN, DATAF, "cosine", range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } },
+                    { "R", OUT, DATAF, "angle", unit = "degrees" } } },
+            { 16, "ATAN", "Finds the angle that has a tangent",
+                { { "X", IN, DATAF, "tangent" }, { "R", OUT, DATAF, "angle", unit = "degrees" } } },
+            { 17, "MOD8", "Takes the remainder of an 8-bit division",
+                { { "X", IN, DATA8, "number to divide" }, { "Y", IN, DATA8, "number to divide by, not 0" },
+                    { "R", OUT, DATA8, "remainder, with the sign of X" } } },
+            { 18, "MOD16", "Takes the remainder of a 16-bit division",
+                { { "X", IN, DATA16, "number to divide" }, { "Y", IN, DATA16, "number to divide by, not 0" },
+                    { "R", OUT, DATA16, "remainder, with the sign of X" } } },
+            { 19, "MOD32", "Takes the remainder of a 32-bit division",
+                { { "X", IN, DATA32, "number to divide" }, { "Y", IN, DATA32, "number to divide by, not 0" },
+                    { "R", OUT, DATA32, "remainder, with the sign of X" } } },
+            { 20, "POW", "Raises a number to a power",
+                { { "X", IN, DATAF, "number to raise" }, { "Y", IN, DATAF, "the power" }, { "R", OUT, DATAF, "result" } } },
+            { 21, "TRUNC", "Cuts off decimals without rounding",
+                { { "X", IN, DATAF, "number to work on" },
+                    { "P", IN, DATA8, "number of decimals to keep (at most 6 are available)", range = { 0, 9 },
+                        outside = { ", outside of 0 to 9", "OUTSIDE" } },
+                    { "R", OUT, DATAF, "result" } } },
         } },
-    { 0x8E, "RANDOM", "Draws a random whole number", [[ { "MIN", IN, DATA16, "smallest number to draw" }, { "MAX", IN, DATA16, "largest number to draw" }, { "VALUE", OUT, DATA16, "the number drawn, MIN to MAX, both included" } ]] },
-    { 0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with constant values", [[ { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" }, { "LENGTH", IN, DATA32, "number of values that follow; a negative count hangs the brick", unit = "bytes" }, { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 } ]] },
-    { 0x30, "MOVE8_8", "Copies a value to another variable, both 8-bit", [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]] },
-    { 0x31, "MOVE8_16", "Converts a value, 8-bit to 16-bit; NaN stays NaN", [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]] },
-    { 0x32, "MOVE8_32", "Converts a value, 8-bit to 32-bit; NaN stays NaN", [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]] },
-    { 0x33, "MOVE8_F", "Converts a value, 8-bit to floating-point; NaN stays NaN", [[ { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]] },
-    { 0x34, "MOVE16_8", "Converts a value, 16-bit to 8-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]] },
-    { 0x35, "MOVE16_16", "Copies a value to another variable, both 16-bit", [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]] },
-    { 0x36, "MOVE16_32", "Converts a value, 16-bit to 32-bit; NaN stays NaN", [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]] },
-    { 0x37, "MOVE16_F", "Converts a value, 16-bit to floating-point; NaN stays NaN", [[ { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]] },
-    { 0x38, "MOVE32_8", "Converts a value, 32-bit to 8-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]] },
-    { 0x39, "MOVE32_16", "Converts a value, 32-bit to 16-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]] },
-    { 0x3A, "MOVE32_32", "Copies a value to another variable, both 32-bit", [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]] },
-    { 0x3B, "MOVE32_F", "Converts a value, 32-bit to floating-point; NaN stays NaN", [[ { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]] },
-    { 0x3C, "MOVEF_8", "Converts a value, floating-point to 8-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } ]] },
-    { 0x3D, "MOVEF_16", "Converts a value, floating-point to 16-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } ]] },
-    { 0x3E, "MOVEF_32", "Converts a value, floating-point to 32-bit; limited to what fits, NaN stays NaN", [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } ]] },
-    { 0x3F, "MOVEF_F", "Copies a value to another variable, both floating-point", [[ { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } ]] },
-    { 0xC8, "READ8", "Reads one element of an array of 8-bit values", [[ { "SOURCE", IN, DATA8, "first element of the array, as a variable" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", OUT, DATA8, "the element's value" } ]] },
-    { 0xC9, "READ16", "Reads one element of an array of 16-bit values", [[ { "SOURCE", IN, DATA16, "first element of the array, as a variable" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", OUT, DATA16, "the element's value" } ]] },
-    { 0xCA, "READ32", "Reads one element of an array of 32-bit values", [[ { "SOURCE", IN, DATA32, "first element of the array, as a variable" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", OUT, DATA32, "the element's value" } ]] },
-    { 0xCB, "READF", "Reads one element of an array of floating-point values", [[ { "SOURCE", IN, DATAF, "first element of the array, as a variable" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", OUT, DATAF, "the element's value" } ]] },
-    { 0xCC, "WRITE8", "Writes one element of an array of 8-bit values", [[ { "SOURCE", IN, DATA8, "value to write" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" } ]] },
-    { 0xCD, "WRITE16", "Writes one element of an array of 16-bit values", [[ { "SOURCE", IN, DATA16, "value to write" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" } ]] },
-    { 0xCE, "WRITE32", "Writes one element of an array of 32-bit values", [[ { "SOURCE", IN, DATA32, "value to write" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" } ]] },
-    { 0xCF, "WRITEF", "Writes one element of an array of floating-point values", [[ { "SOURCE", IN, DATAF, "value to write" }, { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" } ]] },
-    { 0x40, "JR", "Jumps always", [[ { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x41, "JR_FALSE", "Jumps if a flag is 0", [[ { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x42, "JR_TRUE", "Jumps if a flag is not 0", [[ { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x43, "JR_NAN", "Jumps if a value is not a number, as read from a sensor without data", [[ { "VALUE", IN, DATAF, "value to look at" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x64, "JR_LT8", "Jumps if LEFT is less than RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x65, "JR_LT16", "Jumps if LEFT is less than RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x66, "JR_LT32", "Jumps if LEFT is less than RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x67, "JR_LTF", "Jumps if LEFT is less than RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x68, "JR_GT8", "Jumps if LEFT is greater than RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x69, "JR_GT16", "Jumps if LEFT is greater than RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6A, "JR_GT32", "Jumps if LEFT is greater than RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6B, "JR_GTF", "Jumps if LEFT is greater than RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6C, "JR_EQ8", "Jumps if LEFT is equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6D, "JR_EQ16", "Jumps if LEFT is equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6E, "JR_EQ32", "Jumps if LEFT is equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x6F, "JR_EQF", "Jumps if LEFT is equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x70, "JR_NEQ8", "Jumps if LEFT is different from RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x71, "JR_NEQ16", "Jumps if LEFT is different from RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x72, "JR_NEQ32", "Jumps if LEFT is different from RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x73, "JR_NEQF", "Jumps if LEFT is different from RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x74, "JR_LTEQ8", "Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x75, "JR_LTEQ16", "Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x76, "JR_LTEQ32", "Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x77, "JR_LTEQF", "Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x78, "JR_GTEQ8", "Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x79, "JR_GTEQ16", "Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x7A, "JR_GTEQ32", "Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x7B, "JR_GTEQF", "Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } ]] },
-    { 0x44, "CP_LT8", "Tests whether LEFT is less than RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x45, "CP_LT16", "Tests whether LEFT is less than RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x46, "CP_LT32", "Tests whether LEFT is less than RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x47, "CP_LTF", "Tests whether LEFT is less than RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x48, "CP_GT8", "Tests whether LEFT is greater than RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x49, "CP_GT16", "Tests whether LEFT is greater than RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4A, "CP_GT32", "Tests whether LEFT is greater than RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4B, "CP_GTF", "Tests whether LEFT is greater than RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4C, "CP_EQ8", "Tests whether LEFT is equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4D, "CP_EQ16", "Tests whether LEFT is equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4E, "CP_EQ32", "Tests whether LEFT is equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x4F, "CP_EQF", "Tests whether LEFT is equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x50, "CP_NEQ8", "Tests whether LEFT is different from RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x51, "CP_NEQ16", "Tests whether LEFT is different from RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x52, "CP_NEQ32", "Tests whether LEFT is different from RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x53, "CP_NEQF", "Tests whether LEFT is different from RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x54, "CP_LTEQ8", "Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x55, "CP_LTEQ16", "Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x56, "CP_LTEQ32", "Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x57, "CP_LTEQF", "Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x58, "CP_GTEQ8", "Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers", [[ { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x59, "CP_GTEQ16", "Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers", [[ { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x5A, "CP_GTEQ32", "Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers", [[ { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x5B, "CP_GTEQF", "Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers", [[ { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" }, { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } ]] },
-    { 0x5C, "SELECT8", "Selects one of two 8-bit values by a flag", [[ { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } }, { "SOURCE1", IN, DATA8, "value selected if the flag is set" }, { "SOURCE2", IN, DATA8, "value selected if the flag is 0" }, { "RESULT", OUT, DATA8, "the selected value" } ]] },
-    { 0x5D, "SELECT16", "Selects one of two 16-bit values by a flag", [[ { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } }, { "SOURCE1", IN, DATA16, "value selected if the flag is set" }, { "SOURCE2", IN, DATA16, "value selected if the flag is 0" }, { "RESULT", OUT, DATA16, "the selected value" } ]] },
-    { 0x5E, "SELECT32", "Selects one of two 32-bit values by a flag", [[ { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } }, { "SOURCE1", IN, DATA32, "value selected if the flag is set" }, { "SOURCE2", IN, DATA32, "value selected if the flag is 0" }, { "RESULT", OUT, DATA32, "the selected value" } ]] },
-    { 0x5F, "SELECTF", "Selects one of two floating-point values by a flag", [[ { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } }, { "SOURCE1", IN, DATAF, "value selected if the flag is set" }, { "SOURCE2", IN, DATAF, "value selected if the flag is 0" }, { "RESULT", OUT, DATAF, "the selected value" } ]] },
-    { 0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer", [[]] },
-    { 0x81, "UI_READ", "Reads the state of the brick or what the terminal received", commands = {
-            { 1, "GET_VBATT", "Reads the battery voltage", [[ { "VALUE", OUT, DATAF, "voltage", unit = "V" } ]] },
-            { 2, "GET_IBATT", "Reads the battery current", [[ { "VALUE", OUT, DATAF, "current", unit = "A" } ]] },
-            { 3, "GET_OS_VERS", "Reads name and version of the operating system", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4", length = "LENGTH" } ]] },
-            { 4, "GET_EVENT", "Reads and clears the pending event (used by the brick's own menus)", [[ { "EVENT", OUT, DATA8, "what happened", special = { [0] = "nothing", [1] = "Bluetooth asks for a PIN", [2] = "Bluetooth asks to confirm a connection" } } ]] },
-            { 5, "GET_TBATT", "Reads the rise in battery temperature, estimated from the current", [[ { "VALUE", OUT, DATAF, "estimated rise in temperature", unit = "°C" } ]] },
-            { 6, "GET_IINT", "Reads the battery current smoothed over time", [[ { "IINT", OUT, DATAF, "integrated current", unit = "A" } ]] },
-            { 7, "GET_IMOTOR", "Reads the current of all motors together", [[ { "VALUE", OUT, DATAF, "current", unit = "A" } ]] },
-            { 8, "GET_STRING", "Waits for a line typed at the terminal and reads it", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, not including the zero", unit = "bytes", range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" } ]] },
-            { 9, "GET_HW_VERS", "Reads the hardware version", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" } ]] },
-            { 10, "GET_FW_VERS", "Reads the firmware version", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" } ]] },
-            { 11, "GET_FW_BUILD", "Reads the build time of the firmware", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" } ]] },
-            { 12, "GET_OS_BUILD", "Reads the build time of the operating system", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" } ]] },
-            { 13, "GET_ADDRESS", "Waits for a decimal number typed at the terminal and reads it (debugging)", [[ { "VALUE", OUT, DATA32, "the number, meant as an address" } ]] },
-            { 14, "GET_CODE", "Waits for byte code typed as hex at the terminal and builds a program from it (debugging)", [[ { "LENGTH", IN, DATA32, "maximum number of bytes of the program, including headers", unit = "bytes" }, { "IMAGE", IN, DATA32, "address of the memory where the program is built" }, { "GLOBAL", OUT, DATA32, "address of the program's global variables" }, { "FLAG", OUT, DATA8, "whether the program can be started; 1 or unchanged", special = { [1] = "ready" } } ]] },
-            { 15, "KEY", "Takes one key from the terminal without waiting", [[ { "VALUE", OUT, DATA8, "character code of the key", special = { [0] = "no key" } } ]] },
-            { 16, "GET_SHUTDOWN", "Reads and clears the request to shut down (used by the brick's own menus)", [[ { "FLAG", OUT, DATA8, "whether the brick wants to shut down", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 17, "GET_WARNING", "Reads the brick's warnings", [[ { "WARNINGS", OUT, DATA8, "one bit for each warning", enum = ENUMERATIONS.WARNING, special = { [0] = "none" } } ]] },
-            { 18, "GET_LBATT", "Reads the battery level, derived from its voltage", [[ { "PCT", OUT, DATA8, "battery level", unit = "%", range = { 0, 100 } } ]] },
-            { 21, "TEXTBOX_READ", "Reads one line of the text of a text box", [[ { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" }, { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" }, { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "LINE", IN, DATA16, "which line, counted from 1" }, { "DESTINATION", OUT, STRING, "the line, empty if there is no such line", length = "LENGTH" } ]] },
-            { 26, "GET_VERSION", "Reads name, version and build date of the firmware in one string", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" } ]] },
-            { 27, "GET_IP", "Reads the brick's IP address", [[ { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", special = { [-1] = "no limit" }, range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } }, { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" } ]] },
-            { 29, "GET_POWER", "Reads all values of the power supply at once", [[ { "VBATT", OUT, DATAF, "battery voltage", unit = "V" }, { "IBATT", OUT, DATAF, "battery current", unit = "A" }, { "IINT", OUT, DATAF, "battery current smoothed over time", unit = "A" }, { "IMOTOR", OUT, DATAF, "current of all motors together", unit = "A" } ]] },
-            { 30, "GET_SDCARD", "Reads whether an SD card is present, and its space", [[ { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" }, range = { 0, 1 } }, { "TOTAL", OUT, DATA32, "size", unit = "KiB" }, { "FREE", OUT, DATA32, "free space", unit = "KiB" } ]] },
-            { 31, "GET_USBSTICK", "Reads whether a USB stick is present, and its space", [[ { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" }, range = { 0, 1 } }, { "TOTAL", OUT, DATA32, "size", unit = "KiB" }, { "FREE", OUT, DATA32, "free space", unit = "KiB" } ]] },
+    { 0x8E, "RANDOM", "Draws a random whole number",
+        { { "MIN", IN, DATA16, "smallest number to draw" }, { "MAX", IN, DATA16, "largest number to draw" },
+            { "VALUE", OUT, DATA16, "the number drawn, MIN to MAX, both included" } } },
+    { 0x2F, "INIT_BYTES", "Fills consecutive bytes of memory with constant values",
+        { { "DESTINATION", OUT, DATA8, "first byte to fill", length = "LENGTH" },
+            { "LENGTH", IN, DATA32, "number of values that follow; a negative count hangs the brick", unit = "bytes" },
+            { "SOURCE", IN, VALUES, "the values, one per byte", element = DATA8 } } },
+    { 0x30, "MOVE8_8", "Copies a value to another variable, both 8-bit",
+        { { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } } },
+    { 0x31, "MOVE8_16", "Converts a value, 8-bit to 16-bit; NaN stays NaN",
+        { { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } } },
+    { 0x32, "MOVE8_32", "Converts a value, 8-bit to 32-bit; NaN stays NaN",
+        { { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } } },
+    { 0x33, "MOVE8_F", "Converts a value, 8-bit to floating-point; NaN stays NaN",
+        { { "SOURCE", IN, DATA8, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } } },
+    { 0x34, "MOVE16_8", "Converts a value, 16-bit to 8-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } } },
+    { 0x35, "MOVE16_16", "Copies a value to another variable, both 16-bit",
+        { { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } } },
+    { 0x36, "MOVE16_32", "Converts a value, 16-bit to 32-bit; NaN stays NaN",
+        { { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } } },
+    { 0x37, "MOVE16_F", "Converts a value, 16-bit to floating-point; NaN stays NaN",
+        { { "SOURCE", IN, DATA16, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } } },
+    { 0x38, "MOVE32_8", "Converts a value, 32-bit to 8-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } } },
+    { 0x39, "MOVE32_16", "Converts a value, 32-bit to 16-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } } },
+    { 0x3A, "MOVE32_32", "Copies a value to another variable, both 32-bit",
+        { { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } } },
+    { 0x3B, "MOVE32_F", "Converts a value, 32-bit to floating-point; NaN stays NaN",
+        { { "SOURCE", IN, DATA32, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } } },
+    { 0x3C, "MOVEF_8", "Converts a value, floating-point to 8-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA8, "copy of the value" } } },
+    { 0x3D, "MOVEF_16", "Converts a value, floating-point to 16-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA16, "copy of the value" } } },
+    { 0x3E, "MOVEF_32", "Converts a value, floating-point to 32-bit; limited to what fits, NaN stays NaN",
+        { { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATA32, "copy of the value" } } },
+    { 0x3F, "MOVEF_F", "Copies a value to another variable, both floating-point",
+        { { "SOURCE", IN, DATAF, "value to copy" }, { "DESTINATION", OUT, DATAF, "copy of the value" } } },
+    { 0xC8, "READ8", "Reads one element of an array of 8-bit values",
+        { { "SOURCE", IN, DATA8, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", OUT, DATA8, "the element's value" } } },
+    { 0xC9, "READ16", "Reads one element of an array of 16-bit values",
+        { { "SOURCE", IN, DATA16, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", OUT, DATA16, "the element's value" } } },
+    { 0xCA, "READ32", "Reads one element of an array of 32-bit values",
+        { { "SOURCE", IN, DATA32, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", OUT, DATA32, "the element's value" } } },
+    { 0xCB, "READF", "Reads one element of an array of floating-point values",
+        { { "SOURCE", IN, DATAF, "first element of the array, as a variable" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", OUT, DATAF, "the element's value" } } },
+    { 0xCC, "WRITE8", "Writes one element of an array of 8-bit values",
+        { { "SOURCE", IN, DATA8, "value to write" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", IN, DATA8, "first element of the array, as a variable; element INDEX is written" } } },
+    { 0xCD, "WRITE16", "Writes one element of an array of 16-bit values",
+        { { "SOURCE", IN, DATA16, "value to write" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", IN, DATA16, "first element of the array, as a variable; element INDEX is written" } } },
+    { 0xCE, "WRITE32", "Writes one element of an array of 32-bit values",
+        { { "SOURCE", IN, DATA32, "value to write" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", IN, DATA32, "first element of the array, as a variable; element INDEX is written" } } },
+    { 0xCF, "WRITEF", "Writes one element of an array of floating-point values",
+        { { "SOURCE", IN, DATAF, "value to write" },
+            { "INDEX", IN, DATA8, "which element, counted from 0; the firmware does not check it", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "DESTINATION", IN, DATAF, "first element of the array, as a variable; element INDEX is written" } } },
+    { 0x40, "JR", "Jumps always",
+        { { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x41, "JR_FALSE", "Jumps if a flag is 0",
+        { { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x42, "JR_TRUE", "Jumps if a flag is not 0",
+        { { "FLAG", IN, DATA8, "the condition: anything but 0 is true", special = { [0] = "false", [1] = "true" } },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x43, "JR_NAN", "Jumps if a value is not a number, as read from a sensor without data",
+        { { "VALUE", IN, DATAF, "value to look at" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x64, "JR_LT8", "Jumps if LEFT is less than RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x65, "JR_LT16", "Jumps if LEFT is less than RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x66, "JR_LT32", "Jumps if LEFT is less than RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x67, "JR_LTF", "Jumps if LEFT is less than RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x68, "JR_GT8", "Jumps if LEFT is greater than RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x69, "JR_GT16", "Jumps if LEFT is greater than RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6A, "JR_GT32", "Jumps if LEFT is greater than RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6B, "JR_GTF", "Jumps if LEFT is greater than RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6C, "JR_EQ8", "Jumps if LEFT is equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6D, "JR_EQ16", "Jumps if LEFT is equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6E, "JR_EQ32", "Jumps if LEFT is equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x6F, "JR_EQF", "Jumps if LEFT is equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x70, "JR_NEQ8", "Jumps if LEFT is different from RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x71, "JR_NEQ16", "Jumps if LEFT is different from RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x72, "JR_NEQ32", "Jumps if LEFT is different from RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x73, "JR_NEQF", "Jumps if LEFT is different from RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x74, "JR_LTEQ8", "Jumps if LEFT is less than or equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x75, "JR_LTEQ16", "Jumps if LEFT is less than or equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x76, "JR_LTEQ32", "Jumps if LEFT is less than or equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x77, "JR_LTEQF", "Jumps if LEFT is less than or equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x78, "JR_GTEQ8", "Jumps if LEFT is greater than or equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x79, "JR_GTEQ16", "Jumps if LEFT is greater than or equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x7A, "JR_GTEQ32", "Jumps if LEFT is greater than or equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x7B, "JR_GTEQF", "Jumps if LEFT is greater than or equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "OFFSET", IN, LABEL, "how far to jump from the end of this operation; negative jumps back; or a label", unit = "bytes" } } },
+    { 0x44, "CP_LT8", "Tests whether LEFT is less than RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x45, "CP_LT16", "Tests whether LEFT is less than RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x46, "CP_LT32", "Tests whether LEFT is less than RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x47, "CP_LTF", "Tests whether LEFT is less than RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x48, "CP_GT8", "Tests whether LEFT is greater than RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x49, "CP_GT16", "Tests whether LEFT is greater than RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4A, "CP_GT32", "Tests whether LEFT is greater than RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4B, "CP_GTF", "Tests whether LEFT is greater than RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4C, "CP_EQ8", "Tests whether LEFT is equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4D, "CP_EQ16", "Tests whether LEFT is equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4E, "CP_EQ32", "Tests whether LEFT is equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x4F, "CP_EQF", "Tests whether LEFT is equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x50, "CP_NEQ8", "Tests whether LEFT is different from RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x51, "CP_NEQ16", "Tests whether LEFT is different from RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x52, "CP_NEQ32", "Tests whether LEFT is different from RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x53, "CP_NEQF", "Tests whether LEFT is different from RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x54, "CP_LTEQ8", "Tests whether LEFT is less than or equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x55, "CP_LTEQ16", "Tests whether LEFT is less than or equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x56, "CP_LTEQ32", "Tests whether LEFT is less than or equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x57, "CP_LTEQF", "Tests whether LEFT is less than or equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x58, "CP_GTEQ8", "Tests whether LEFT is greater than or equal to RIGHT, as 8-bit numbers",
+        { { "LEFT", IN, DATA8, "left side of the comparison" }, { "RIGHT", IN, DATA8, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x59, "CP_GTEQ16", "Tests whether LEFT is greater than or equal to RIGHT, as 16-bit numbers",
+        { { "LEFT", IN, DATA16, "left side of the comparison" }, { "RIGHT", IN, DATA16, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x5A, "CP_GTEQ32", "Tests whether LEFT is greater than or equal to RIGHT, as 32-bit numbers",
+        { { "LEFT", IN, DATA32, "left side of the comparison" }, { "RIGHT", IN, DATA32, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x5B, "CP_GTEQF", "Tests whether LEFT is greater than or equal to RIGHT, as floating-point numbers",
+        { { "LEFT", IN, DATAF, "left side of the comparison" }, { "RIGHT", IN, DATAF, "right side of the comparison" },
+            { "FLAG", OUT, DATA8, "result of the comparison", special = { [0] = "false", [1] = "true" }, range = { 0, 1 } } } },
+    { 0x5C, "SELECT8", "Selects one of two 8-bit values by a flag",
+        { { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } },
+            { "SOURCE1", IN, DATA8, "value selected if the flag is set" }, { "SOURCE2", IN, DATA8, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA8, "the selected value" } } },
+    { 0x5D, "SELECT16", "Selects one of two 16-bit values by a flag",
+        { { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } },
+            { "SOURCE1", IN, DATA16, "value selected if the flag is set" }, { "SOURCE2", IN, DATA16, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA16, "the selected value" } } },
+    { 0x5E, "SELECT32", "Selects one of two 32-bit values by a flag",
+        { { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } },
+            { "SOURCE1", IN, DATA32, "value selected if the flag is set" }, { "SOURCE2", IN, DATA32, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATA32, "the selected value" } } },
+    { 0x5F, "SELECTF", "Selects one of two floating-point values by a flag",
+        { { "FLAG", IN, DATA8, "which one: anything but 0 selects SOURCE1", special = { [0] = "SOURCE2", [1] = "SOURCE1" } },
+            { "SOURCE1", IN, DATAF, "value selected if the flag is set" }, { "SOURCE2", IN, DATAF, "value selected if the flag is 0" },
+            { "RESULT", OUT, DATAF, "the selected value" } } },
+    { 0x80, "UI_FLUSH", "Sends the contents of the terminal's output buffer", {} },
+    { 0x81, "UI_READ", "Reads the state of the brick or what the terminal received",
+        commands = {
+            { 1, "GET_VBATT", "Reads the battery voltage", { { "VALUE", OUT, DATAF, "voltage", unit = "V" } } },
+            { 2, "GET_IBATT", "Reads the battery current", { { "VALUE", OUT, DATAF, "current", unit = "A" } } },
+            { 3, "GET_OS_VERS", "Reads name and version of the operating system",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "system and kernel release, such as Linux 2.6.33-rc4", length = "LENGTH" } } },
+            { 4, "GET_EVENT", "Reads and clears the pending event (used by the brick's own menus)",
+                { { "EVENT", OUT, DATA8, "what happened",
+                        special = { [0] = "nothing", [1] = "Bluetooth asks for a PIN", [2] = "Bluetooth asks to confirm a connection" } } } },
+            { 5, "GET_TBATT", "Reads the rise in battery temperature, estimated from the current",
+                { { "VALUE", OUT, DATAF, "estimated rise in temperature", unit = "°C" } } },
+            { 6, "GET_IINT", "Reads the battery current smoothed over time", { { "IINT", OUT, DATAF, "integrated current", unit = "A" } } },
+            { 7, "GET_IMOTOR", "Reads the current of all motors together", { { "VALUE", OUT, DATAF, "current", unit = "A" } } },
+            { 8, "GET_STRING", "Waits for a line typed at the terminal and reads it",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, not including the zero", unit = "bytes", range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "the line", length = "LENGTH" } } },
+            { 9, "GET_HW_VERS", "Reads the hardware version",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "hardware version, such as V0.60", length = "LENGTH" } } },
+            { 10, "GET_FW_VERS", "Reads the firmware version",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "firmware version, such as V1.04H", length = "LENGTH" } } },
+            { 11, "GET_FW_BUILD", "Reads the build time of the firmware",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" } } },
+            { 12, "GET_OS_BUILD", "Reads the build time of the operating system",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "build time as yymmddhhmm", length = "LENGTH" } } },
+            { 13, "GET_ADDRESS", "Waits for a decimal number typed at the terminal and reads it (debugging)",
+                { { "VALUE", OUT, DATA32, "the number, meant as an address" } } },
+            { 14, "GET_CODE", "Waits for byte code typed as hex at the terminal and builds a program from it (debugging)",
+                { { "LENGTH", IN, DATA32, "maximum number of bytes of the program, including headers", unit = "bytes" },
+                    { "IMAGE", IN, DATA32, "address of the memory where the program is built" },
+                    { "GLOBAL", OUT, DATA32, "address of the program's global variables" },
+                    { "FLAG", OUT, DATA8, "whether the program can be started; 1 or unchanged", special = { [1] = "ready" } } } },
+            { 15, "KEY", "Takes one key from the terminal without waiting",
+                { { "VALUE", OUT, DATA8, "character code of the key", special = { [0] = "no key" } } } },
+            { 16, "GET_SHUTDOWN", "Reads and clears the request to shut down (used by the brick's own menus)",
+                { { "FLAG", OUT, DATA8, "whether the brick wants to shut down", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 17, "GET_WARNING", "Reads the brick's warnings",
+                { { "WARNINGS", OUT, DATA8, "one bit for each warning", enum = ENUMERATIONS.WARNING, special = { [0] = "none" } } } },
+            { 18, "GET_LBATT", "Reads the battery level, derived from its voltage",
+                { { "PCT", OUT, DATA8, "battery level", unit = "%", range = { 0, 100 } } } },
+            { 21, "TEXTBOX_READ", "Reads one line of the text of a text box",
+                { { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "LINE", IN, DATA16, "which line, counted from 1" },
+                    { "DESTINATION", OUT, STRING, "the line, empty if there is no such line", length = "LENGTH" } } },
+            { 26, "GET_VERSION", "Reads name, version and build date of the firmware in one string",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "such as LMS2012 V1.04H(Jul 26 2013 12:00:00)", length = "LENGTH" } } },
+            { 27, "GET_IP", "Reads the brick's IP address",
+                { { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes",
+                        special = { [-1] = "no limit" }, range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes or -1 (no limit)", "OUTSIDE" } },
+                    { "DESTINATION", OUT, STRING, "address in dotted notation", length = "LENGTH" } } },
+            { 29, "GET_POWER", "Reads all values of the power supply at once",
+                { { "VBATT", OUT, DATAF, "battery voltage", unit = "V" }, { "IBATT", OUT, DATAF, "battery current", unit = "A" },
+                    { "IINT", OUT, DATAF, "battery current smoothed over time", unit = "A" },
+                    { "IMOTOR", OUT, DATAF, "current of all motors together", unit = "A" } } },
+            { 30, "GET_SDCARD", "Reads whether an SD card is present, and its space",
+                { { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" }, range = { 0, 1 } },
+                    { "TOTAL", OUT, DATA32, "size", unit = "KiB" }, { "FREE", OUT, DATA32, "free space", unit = "KiB" } } },
+            { 31, "GET_USBSTICK", "Reads whether a USB stick is present, and its space",
+                { { "STATE", OUT, DATA8, "whether one is present", special = { [0] = "absent", [1] = "present" }, range = { 0, 1 } },
+                    { "TOTAL", OUT, DATA32, "size", unit = "KiB" }, { "FREE", OUT, DATA32, "free space", unit = "KiB" } } },
         } },
-    { 0x82, "UI_WRITE", "Writes to the terminal or sets lights and states of the brick", commands = {
-            { 1, "WRITE_FLUSH", "Sends the contents of the terminal's output buffer, like UI_FLUSH", [[]] },
-            { 2, "FLOATVALUE", "Writes a number in a fixed format to the terminal", [[ { "VALUE", IN, DATAF, "number to write" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point; negative aligns left" }, { "DECIMALS", IN, DATA8, "digits after the decimal point" } ]] },
-            { 3, "STAMP", "Writes time, program, object, position and a comment to the terminal", [[ { "VALUE", IN, STRING, "remark" } ]] },
-            { 8, "PUT_STRING", "Writes text to the terminal", [[ { "STRING", IN, STRING, "text to write" } ]] },
-            { 9, "VALUE8", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA8, "number to write" } ]] },
-            { 10, "VALUE16", "Writes an unsigned whole number to the terminal", [[ { "VALUE", IN, DATA16, "number to write", range = { -32767, 65535 }, unsigned = true } ]] },
-            { 11, "VALUE32", "Writes a whole number to the terminal", [[ { "VALUE", IN, DATA32, "number to write" } ]] },
-            { 12, "VALUEF", "Writes a number to the terminal", [[ { "VALUE", IN, DATAF, "number to write" } ]] },
-            { 13, "ADDRESS", "Not implemented in the firmware: the program that runs it fails", [[ { "VALUE", OUT, DATA32, "address; never written" } ]] },
-            { 14, "CODE", "Writes bytes of memory as hex to the terminal", [[ { "ARRAY", IN, DATA32, "address of the bytes", validated = DATA8 }, { "LENGTH", IN, DATA32, "number of bytes", unit = "bytes" } ]] },
-            { 15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser", [[]] },
-            { 16, "SCREEN_BLOCK", "Blocks or unblocks the display and the buttons for programs", [[ { "STATUS", IN, DATA8, "whether drawing is ignored", special = { [0] = "normal", [1] = "blocked" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 17, "ALLOW_PULSE", "Selects the debug pulses that are shown (only in debug builds of the firmware)", [[ { "VALUE", IN, DATA8, "sum of bits", special = { [1] = "menu background", [2] = "browser", [4] = "key" } } ]] },
-            { 18, "SET_PULSE", "Raises debug pulses (only in debug builds of the firmware)", [[ { "VALUE", IN, DATA8, "sum of bits", special = { [1] = "menu background", [2] = "browser", [4] = "key" } } ]] },
-            { 21, "TEXTBOX_APPEND", "Appends a line to the text of a text box", [[ { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" }, { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" }, { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "SOURCE", IN, STRING, "line to append" } ]] },
-            { 22, "SET_BUSY", "Sets or clears the busy bit among the warnings", [[ { "VALUE", IN, DATA8, "whether the brick counts as busy", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 24, "SET_TESTPIN", "Sets the test pin on the brick's circuit board", [[ { "STATE", IN, DATA8, "level of the pin", special = { [0] = "low", [1] = "high" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 25, "INIT_RUN", "Shows the animation of a running program until something draws", [[]] },
-            { 26, "UPDATE_RUN", "Does nothing", [[]] },
-            { 27, "LED", "Sets colour and blinking of the light around the buttons", [[ { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN, outside = { ", which is not in LEDPATTERN", "NO_MEMBER" } } ]] },
-            { 29, "POWER", "Sets the flag that makes the power driver switch off when the firmware ends", [[ { "VALUE", IN, DATA8, "the flag", range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP", [[]] },
-            { 31, "TERMINAL", "Switches the debug terminal on or off", [[ { "STATE", IN, DATA8, "whether the terminal is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
+    { 0x82, "UI_WRITE", "Writes to the terminal or sets lights and states of the brick",
+        commands = {
+            { 1, "WRITE_FLUSH", "Sends the contents of the terminal's output buffer, like UI_FLUSH", {} },
+            { 2, "FLOATVALUE", "Writes a number in a fixed format to the terminal",
+                { { "VALUE", IN, DATAF, "number to write" },
+                    { "FIGURES", IN, DATA8, "total number of characters, including the decimal point; negative aligns left" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" } } },
+            { 3, "STAMP", "Writes time, program, object, position and a comment to the terminal", { { "VALUE", IN, STRING, "remark" } } },
+            { 8, "PUT_STRING", "Writes text to the terminal", { { "STRING", IN, STRING, "text to write" } } },
+            { 9, "VALUE8", "Writes a whole number to the terminal", { { "VALUE", IN, DATA8, "number to write" } } },
+            { 10, "VALUE16", "Writes an unsigned whole number to the terminal",
+                { { "VALUE", IN, DATA16, "number to write", range = { -32767, 65535 }, unsigned = true } } },
+            { 11, "VALUE32", "Writes a whole number to the terminal", { { "VALUE", IN, DATA32, "number to write" } } },
+            { 12, "VALUEF", "Writes a number to the terminal", { { "VALUE", IN, DATAF, "number to write" } } },
+            { 13, "ADDRESS", "Not implemented in the firmware: the program that runs it fails",
+                { { "VALUE", OUT, DATA32, "address; never written" } } },
+            { 14, "CODE", "Writes bytes of memory as hex to the terminal",
+                { { "ARRAY", IN, DATA32, "address of the bytes", validated = DATA8 },
+                    { "LENGTH", IN, DATA32, "number of bytes", unit = "bytes" } } },
+            { 15, "DOWNLOAD_END", "Plays the sound of a finished download and refreshes the file browser", {} },
+            { 16, "SCREEN_BLOCK", "Blocks or unblocks the display and the buttons for programs",
+                { { "STATUS", IN, DATA8, "whether drawing is ignored", special = { [0] = "normal", [1] = "blocked" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 17, "ALLOW_PULSE", "Selects the debug pulses that are shown (only in debug builds of the firmware)",
+                { { "VALUE", IN, DATA8, "sum of bits", special = { [1] = "menu background", [2] = "browser", [4] = "key" } } } },
+            { 18, "SET_PULSE", "Raises debug pulses (only in debug builds of the firmware)",
+                { { "VALUE", IN, DATA8, "sum of bits", special = { [1] = "menu background", [2] = "browser", [4] = "key" } } } },
+            { 21, "TEXTBOX_APPEND", "Appends a line to the text of a text box",
+                { { "TEXT", INOUT, STRING, "whole text of the box, its lines separated by DEL", length = "SIZE" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "SOURCE", IN, STRING, "line to append" } } },
+            { 22, "SET_BUSY", "Sets or clears the busy bit among the warnings",
+                { { "VALUE", IN, DATA8, "whether the brick counts as busy", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 24, "SET_TESTPIN", "Sets the test pin on the brick's circuit board",
+                { { "STATE", IN, DATA8, "level of the pin", special = { [0] = "low", [1] = "high" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 25, "INIT_RUN", "Shows the animation of a running program until something draws", {} },
+            { 26, "UPDATE_RUN", "Does nothing", {} },
+            { 27, "LED", "Sets colour and blinking of the light around the buttons",
+                { { "PATTERN", IN, DATA8, "colour and rhythm", enum = ENUMERATIONS.LEDPATTERN,
+                        outside = { ", which is not in LEDPATTERN", "NO_MEMBER" } } } },
+            { 29, "POWER", "Sets the flag that makes the power driver switch off when the firmware ends",
+                { { "VALUE", IN, DATA8, "the flag", range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 30, "GRAPH_SAMPLE", "Adds the current values to the graph of GRAPH_SETUP", {} },
+            { 31, "TERMINAL", "Switches the debug terminal on or off",
+                { { "STATE", IN, DATA8, "whether the terminal is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
         } },
-    { 0x83, "UI_BUTTON", "Reads or simulates the buttons", commands = {
-            { 1, "SHORTPRESS", "Reports whether a button was pressed since the last query, and clears the press", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 2, "LONGPRESS", "Reports whether a button was held for 3 s since the last query, and clears it", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS", [[]] },
-            { 4, "FLUSH", "Clears all pending presses", [[]] },
-            { 5, "PRESS", "Presses a button as if by hand and holds it until RELEASE", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } } ]] },
-            { 6, "RELEASE", "Releases a button that PRESS holds", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } } ]] },
-            { 7, "GET_HORZ", "Reads the left and right buttons as one axis, and clears their presses", [[ { "VALUE", OUT, DATA16, "direction", special = { [-1] = "left", [1] = "right", [0] = "not pressed" }, range = { -1, 1 } } ]] },
-            { 8, "GET_VERT", "Reads the up and down buttons as one axis, and clears their presses", [[ { "VALUE", OUT, DATA16, "direction", special = { [-1] = "up", [1] = "down", [0] = "not pressed" }, range = { -1, 1 } } ]] },
-            { 9, "PRESSED", "Reports whether a button is down at the moment", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button is down", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 10, "SET_BACK_BLOCK", "Blocks or unblocks the back button, which ends the running program", [[ { "BLOCKED", IN, DATA8, "whether the back button is blocked", special = { [0] = "not blocked", [1] = "blocked" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 11, "GET_BACK_BLOCK", "Reports whether the back button is blocked", [[ { "BLOCKED", OUT, DATA8, "whether the back button is blocked", special = { [0] = "not blocked", [1] = "blocked" }, range = { 0, 1 } } ]] },
-            { 12, "TESTSHORTPRESS", "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 13, "TESTLONGPRESS", "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 14, "GET_BUMBED", "Reports whether a button was pressed and released since the last query, and clears it", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was pressed and released", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]], dialects = { official = true, xtended = true } },
-            { 14, "GET_BUMPED", "Reports whether a button was pressed and released since the last query, and clears it", [[ { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE, outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA8, "whether the button was pressed and released", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]], dialects = { compat = true } },
-            { 15, "GET_CLICK", "Reports whether a key click is due for a handled press, and clears it", [[ { "CLICK", OUT, DATA8, "whether a click is due", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
+    { 0x83, "UI_BUTTON", "Reads or simulates the buttons",
+        commands = {
+            { 1, "SHORTPRESS", "Reports whether a button was pressed since the last query, and clears the press",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 2, "LONGPRESS", "Reports whether a button was held for 3 s since the last query, and clears it",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 3, "WAIT_FOR_PRESS", "Waits until any button has been pressed, by hand or by PRESS", {} },
+            { 4, "FLUSH", "Clears all pending presses", {} },
+            { 5, "PRESS", "Presses a button as if by hand and holds it until RELEASE",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } } } },
+            { 6, "RELEASE", "Releases a button that PRESS holds",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } } } },
+            { 7, "GET_HORZ", "Reads the left and right buttons as one axis, and clears their presses",
+                { { "VALUE", OUT, DATA16, "direction", special = { [-1] = "left", [1] = "right", [0] = "not pressed" }, range = { -1, 1 } } } },
+            { 8, "GET_VERT", "Reads the up and down buttons as one axis, and clears their presses",
+                { { "VALUE", OUT, DATA16, "direction", special = { [-1] = "up", [1] = "down", [0] = "not pressed" }, range = { -1, 1 } } } },
+            { 9, "PRESSED", "Reports whether a button is down at the moment",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button is down", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 10, "SET_BACK_BLOCK", "Blocks or unblocks the back button, which ends the running program",
+                { { "BLOCKED", IN, DATA8, "whether the back button is blocked", special = { [0] = "not blocked", [1] = "blocked" },
+                        range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 11, "GET_BACK_BLOCK", "Reports whether the back button is blocked",
+                { { "BLOCKED", OUT, DATA8, "whether the back button is blocked", special = { [0] = "not blocked", [1] = "blocked" },
+                        range = { 0, 1 } } } },
+            { 12, "TESTSHORTPRESS", "Reports, like SHORTPRESS, whether a button was pressed, without clearing the press",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was pressed", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 13, "TESTLONGPRESS", "Reports, like LONGPRESS, whether a button was held for 3 s, without clearing it",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was held for 3 s", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 14, "GET_BUMBED", "Reports whether a button was pressed and released since the last query, and clears it",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was pressed and released", special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 } } },
+                dialects = { official = true, xtended = true } },
+            { 14, "GET_BUMPED", "Reports whether a button was pressed and released since the last query, and clears it",
+                { { "BUTTON", IN, DATA8, "which button", enum = ENUMERATIONS.BUTTONTYPE,
+                        outside = { ", which is not in BUTTONTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA8, "whether the button was pressed and released", special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 } } },
+                dialects = { compat = true } },
+            { 15, "GET_CLICK", "Reports whether a key click is due for a handled press, and clears it",
+                { { "CLICK", OUT, DATA8, "whether a click is due", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
         } },
-    { 0x84, "UI_DRAW", "Draws on the canvas of the display, or runs a dialogue on it", commands = {
-            { 0, "UPDATE", "Shows on the display what has been drawn, and restores the normal font", [[]] },
-            { 1, "CLEAN", "Clears the canvas to white, and restores the normal font", [[]] },
-            { 2, "PIXEL", "Draws one pixel", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "column", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "row", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } } ]] },
-            { 3, "LINE", "Draws a line between two points", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } ]] },
-            { 4, "CIRCLE", "Draws a circle", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } } ]] },
-            { 5, "TEXT", "Draws text in the font chosen by SELECT_FONT", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "STRING", IN, STRING, "text to draw" } ]] },
-            { 6, "ICON", "Draws one of the built-in icons", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE, outside = { ", which is not in ICONTYPE", "NO_MEMBER" } }, { "NO", IN, DATA8, "number of the icon in its set" } ]] },
-            { 7, "PICTURE", "Draws a picture from memory", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } } ]] },
-            { 8, "VALUE", "Draws a number, or dashes where it is not a number", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "VALUE", IN, DATAF, "number to draw" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point; negative aligns left" }, { "DECIMALS", IN, DATA8, "digits after the decimal point" } ]] },
-            { 9, "FILLRECT", "Draws a filled rectangle", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } ]] },
-            { 10, "RECT", "Draws the outline of a rectangle", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } ]], dialects = { official = true } },
-            { 10, "RECTANGLE", "Draws the outline of a rectangle", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } ]], dialects = { xtended = true, compat = true } },
-            { 11, "NOTIFICATION", "Shows icons and text in a window and waits for the centre button", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" }, outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } }, { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" }, outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } }, { "ICON3", IN, DATA8, "third large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" }, outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } }, { "STRING", IN, STRING, "text beside the icons; may be empty" }, { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first", special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } } ]] },
-            { 12, "QUESTION", "Shows icons in a window and waits for yes or no", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" }, outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } }, { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" }, outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } }, { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" }, { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first", special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } }, { "OK", OUT, DATA8, "answer; the variable's previous value is selected at first", special = { [0] = "no", [1] = "yes", [-1] = "closed with the back button" }, range = { -1, 1 } } ]] },
-            { 13, "KEYBOARD", "Shows a keyboard on the display and waits until a text has been entered", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO, outside = { ", which is not in N_ICON_NO", "NO_MEMBER" } }, { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } }, { "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says", special = { [0] = "none" } }, { "CHARSET", INOUT, DATA8, "variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown", special = { [0] = "being shown", [1] = "brick name", [2] = "file name", [4] = "Bluetooth PIN", [8] = "WiFi password", [16] = "WiFi name" } }, { "STRING", OUT, STRING, "entered text; the variable's previous text is edited, the back button empties it", length = "LENGTH" } ]] },
-            { 14, "BROWSE", "Shows files and folders and waits until one is chosen", [[ { "TYPE", IN, DATA8, "what to list", enum = ENUMERATIONS.BROWSERTYPE, outside = { ", which is not in BROWSERTYPE", "NO_MEMBER" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } }, { "ITEM_TYPE", OUT, DATA8, "kind of the chosen entry; the variable must be 0 at first", enum = ENUMERATIONS.FILETYPE }, { "STRING", OUT, STRING, "path of the chosen entry; set the variable to the top folder first", length = "LENGTH" } ]] },
-            { 15, "VERTBAR", "Draws a vertical scroll bar", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } }, { "MIN", IN, DATA16, "value at one end of the bar" }, { "MAX", IN, DATA16, "value at the other end of the bar" }, { "ACT", IN, DATA16, "value that the knob shows" } ]] },
-            { 16, "INVERSERECT", "Swaps black and white in a rectangle", [[ { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } ]] },
-            { 17, "SELECT_FONT", "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW", [[ { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE, range = { 0, 3 }, is_ranged = true, outside = { ", outside of 0 to 3", "OUTSIDE" } } ]] },
-            { 18, "TOPLINE", "Switches the status line at the top on or off", [[ { "ENABLE", IN, DATA8, "whether the status line is shown", special = { [0] = "disabled", [1] = "enabled" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 19, "FILLWINDOW", "Fills rows over the whole width, and restores the normal font", [[ { "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern", special = { [0] = "white", [1] = "black" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height; nothing is filled if Y0 plus it is 128 or more", unit = "px", special = { [0] = "down to the bottom" }, range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } } ]] },
-            { 20, "SCROLL", "Moves the canvas up", [[ { "Y", IN, DATA16, "distance", unit = "px", range = { 1, 127 }, outside = { " px, outside of 1 to 127 px", "OUTSIDE" } } ]] },
-            { 21, "DOTLINE", "Draws a dashed line between two points", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } }, { "ON", IN, DATA16, "length of a dash", unit = "px" }, { "OFF", IN, DATA16, "length of a gap", unit = "px" } ]] },
-            { 22, "VIEW_VALUE", "Draws a number centred in its place, or > instead of digits if it does not fit", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "VALUE", IN, DATAF, "number to draw" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" }, { "DECIMALS", IN, DATA8, "digits after the decimal point" } ]] },
-            { 23, "VIEW_UNIT", "Draws a number in large figures and its unit in small letters", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "VALUE", IN, DATAF, "number to draw" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" }, { "DECIMALS", IN, DATA8, "digits after the decimal point" }, { "LENGTH", IN, DATA8, "maximum number of bytes of the unit, including the zero", unit = "bytes", range = { 0, 127 }, outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } }, { "STRING", IN, STRING, "unit to draw after the number" } ]] },
-            { 24, "FILLCIRCLE", "Draws a filled circle", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } } ]] },
-            { 25, "STORE", "Keeps a copy of the canvas", [[ { "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran", range = { 0, 2 }, outside = { ", outside of 0 to 2", "OUTSIDE" } } ]] },
-            { 26, "RESTORE", "Restores a canvas kept by STORE", [[ { "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran", range = { 0, 2 }, outside = { ", outside of 0 to 2", "OUTSIDE" } } ]] },
-            { 27, "ICON_QUESTION", "Shows a row of icons and waits until one is chosen", [[ { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first", special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } }, { "ICONS", INOUT, DATA32, "bit n is large icon n: first the icons to show, then the chosen one", special = { [0] = "none: closed with the back button" } } ]] },
-            { 28, "BMPFILE", "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)", [[ { "COLOR", IN, DATA8, "colour of the set pixels", special = { [0] = "white, picture inverted", [1] = "black" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys", most = 119 } ]] },
-            { 29, "POPUP", "Opens a window that only its opener can draw on, or closes it and restores the display", [[ { "OPEN", IN, DATA8, "action", special = { [0] = "close", [1] = "open" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 30, "GRAPH_SETUP", "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it", [[ { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "ITEMS", IN, DATA8, "number of curves", range = { 0, 8 }, outside = { ", outside of 0 to 8", "OUTSIDE" }, validated = DATA16 }, { "OFFSET", IN, DATA16, "top edge of each curve", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" }, length = "ITEMS" }, { "SPAN", IN, DATA16, "height of each curve", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" }, length = "ITEMS", validated = DATA8 }, { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 }, { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 }, { "SAMPLE", IN, DATAF, "current value of each curve, read again at each GRAPH_SAMPLE", length = "ITEMS", validated = DATA16 } ]] },
-            { 31, "GRAPH_DRAW", "Draws the graph and measures the curve it shows", [[ { "VIEW", IN, DATA8, "curve to draw, counted from 0; any other value draws all and measures none", special = { [-1] = "all" } }, { "ACTUAL", OUT, DATAF, "latest value, NaN if there is none" }, { "LOWEST", OUT, DATAF, "lowest value in the graph" }, { "HIGHEST", OUT, DATAF, "highest value in the graph" }, { "AVERAGE", OUT, DATAF, "mean of the values in the graph" } ]] },
-            { 32, "TEXTBOX", "Shows a text with a scroll bar and waits until a line is chosen", [[ { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } }, { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } }, { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } }, { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } }, { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" }, { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" }, { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "LINE", INOUT, DATA16, "variable, must be -1 at first; then the chosen line, counted from 1", special = { [-1] = "start, or closed with the back button", [0] = "being shown" }, validated = DATA8 } ]] },
+    { 0x84, "UI_DRAW", "Draws on the canvas of the display, or runs a dialogue on it",
+        commands = {
+            { 0, "UPDATE", "Shows on the display what has been drawn, and restores the normal font", {} },
+            { 1, "CLEAN", "Clears the canvas to white, and restores the normal font", {} },
+            { 2, "PIXEL", "Draws one pixel",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "column", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "row", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } } } },
+            { 3, "LINE", "Draws a line between two points",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } } },
+            { 4, "CIRCLE", "Draws a circle",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } } } },
+            { 5, "TEXT", "Draws text in the font chosen by SELECT_FONT",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "STRING", IN, STRING, "text to draw" } } },
+            { 6, "ICON", "Draws one of the built-in icons",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "TYPE", IN, DATA8, "set of icons", enum = ENUMERATIONS.ICONTYPE, outside = { ", which is not in ICONTYPE", "NO_MEMBER" } },
+                    { "NO", IN, DATA8, "number of the icon in its set" } } },
+            { 7, "PICTURE", "Draws a picture from memory",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "IP", IN, DATA32, "address of the picture", special = { [0] = "draws nothing" } } } },
+            { 8, "VALUE", "Draws a number, or dashes where it is not a number",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "VALUE", IN, DATAF, "number to draw" },
+                    { "FIGURES", IN, DATA8, "total number of characters, including the decimal point; negative aligns left" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" } } },
+            { 9, "FILLRECT", "Draws a filled rectangle",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } } },
+            { 10, "RECT", "Draws the outline of a rectangle",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } },
+                dialects = { official = true } },
+            { 10, "RECTANGLE", "Draws the outline of a rectangle",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } },
+                dialects = { xtended = true, compat = true } },
+            { 11, "NOTIFICATION", "Shows icons and text in a window and waits for the centre button",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } },
+                    { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } },
+                    { "ICON3", IN, DATA8, "third large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } },
+                    { "STRING", IN, STRING, "text beside the icons; may be empty" },
+                    { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
+                        special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } } } },
+            { 12, "QUESTION", "Shows icons in a window and waits for yes or no",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "ICON1", IN, DATA8, "first large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } },
+                    { "ICON2", IN, DATA8, "second large icon", enum = ENUMERATIONS.L_ICON_NO, special = { [-1] = "none" },
+                        outside = { ", which is not in L_ICON_NO", "NO_MEMBER" } },
+                    { "STRING", IN, STRING, "text of the question (LEGO's firmware does not show it)" },
+                    { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
+                        special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } },
+                    { "OK", OUT, DATA8, "answer; the variable's previous value is selected at first",
+                        special = { [0] = "no", [1] = "yes", [-1] = "closed with the back button" }, range = { -1, 1 } } } },
+            { 13, "KEYBOARD", "Shows a keyboard on the display and waits until a text has been entered",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "ICON", IN, DATA8, "normal icon before the caption", enum = ENUMERATIONS.N_ICON_NO,
+                        outside = { ", which is not in N_ICON_NO", "NO_MEMBER" } },
+                    { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } },
+                    { "DEFAULT", IN, STRING, "caption above the text, not a preset as its name says", special = { [0] = "none" } },
+                    { "CHARSET", INOUT, DATA8, "variable with the sum of the allowed kinds of text; becomes 0 once the keyboard is shown",
+                        special = { [0] = "being shown", [1] = "brick name", [2] = "file name", [4] = "Bluetooth PIN", [8] = "WiFi password",
+                            [16] = "WiFi name" } },
+                    { "STRING", OUT, STRING, "entered text; the variable's previous text is edited, the back button empties it",
+                        length = "LENGTH" } } },
+            { 14, "BROWSE", "Shows files and folders and waits until one is chosen",
+                { { "TYPE", IN, DATA8, "what to list", enum = ENUMERATIONS.BROWSERTYPE,
+                        outside = { ", which is not in BROWSERTYPE", "NO_MEMBER" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "maximum number of bytes to return, including the zero", unit = "bytes", range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } },
+                    { "ITEM_TYPE", OUT, DATA8, "kind of the chosen entry; the variable must be 0 at first", enum = ENUMERATIONS.FILETYPE },
+                    { "STRING", OUT, STRING, "path of the chosen entry; set the variable to the top folder first", length = "LENGTH" } } },
+            { 15, "VERTBAR", "Draws a vertical scroll bar",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } },
+                    { "MIN", IN, DATA16, "value at one end of the bar" }, { "MAX", IN, DATA16, "value at the other end of the bar" },
+                    { "ACT", IN, DATA16, "value that the knob shows" } } },
+            { 16, "INVERSERECT", "Swaps black and white in a rectangle",
+                { { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } } } },
+            { 17, "SELECT_FONT", "Chooses the font for text, until UPDATE, CLEAN or FILLWINDOW",
+                { { "TYPE", IN, DATA8, "font", enum = ENUMERATIONS.FONTTYPE, range = { 0, 3 }, is_ranged = true,
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } } } },
+            { 18, "TOPLINE", "Switches the status line at the top on or off",
+                { { "ENABLE", IN, DATA8, "whether the status line is shown", special = { [0] = "disabled", [1] = "enabled" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 19, "FILLWINDOW", "Fills rows over the whole width, and restores the normal font",
+                { { "COLOR", IN, DATA8, "colour to fill with; any other value makes a test pattern",
+                        special = { [0] = "white", [1] = "black" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height; nothing is filled if Y0 plus it is 128 or more", unit = "px",
+                        special = { [0] = "down to the bottom" }, range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } } } },
+            { 20, "SCROLL", "Moves the canvas up",
+                { { "Y", IN, DATA16, "distance", unit = "px", range = { 1, 127 }, outside = { " px, outside of 1 to 127 px", "OUTSIDE" } } } },
+            { 21, "DOTLINE", "Draws a dashed line between two points",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "column of the start", unit = "px", range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "row of the start", unit = "px", range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "column of the end", unit = "px", range = { 0, 178 },
+                        outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "row of the end", unit = "px", range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "OUTSIDE" } },
+                    { "ON", IN, DATA16, "length of a dash", unit = "px" }, { "OFF", IN, DATA16, "length of a gap", unit = "px" } } },
+            { 22, "VIEW_VALUE", "Draws a number centred in its place, or > instead of digits if it does not fit",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "VALUE", IN, DATAF, "number to draw" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" } } },
+            { 23, "VIEW_UNIT", "Draws a number in large figures and its unit in small letters",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "VALUE", IN, DATAF, "number to draw" }, { "FIGURES", IN, DATA8, "total number of characters, including the decimal point" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" },
+                    { "LENGTH", IN, DATA8, "maximum number of bytes of the unit, including the zero", unit = "bytes", range = { 0, 127 },
+                        outside = { " bytes, outside of 0 to 127 bytes", "OUTSIDE" } },
+                    { "STRING", IN, STRING, "unit to draw after the number" } } },
+            { 24, "FILLCIRCLE", "Draws a filled circle",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "column of the centre", unit = "px", range = { 0, 177 },
+                        outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "row of the centre", unit = "px", range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "R", IN, DATA16, "radius", unit = "px", special = { [0] = "draws nothing" } } } },
+            { 25, "STORE", "Keeps a copy of the canvas",
+                { { "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran", range = { 0, 2 },
+                        outside = { ", outside of 0 to 2", "OUTSIDE" } } } },
+            { 26, "RESTORE", "Restores a canvas kept by STORE",
+                { { "NO", IN, DATA8, "slot for one screen; 0 holds the screen from before the program ran", range = { 0, 2 },
+                        outside = { ", outside of 0 to 2", "OUTSIDE" } } } },
+            { 27, "ICON_QUESTION", "Shows a row of icons and waits until one is chosen",
+                { { "COLOR", IN, DATA8, "colour to draw in", special = { [0] = "white", [1] = "black" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "STATE", INOUT, DATA8, "variable for the dialogue's progress; must be 0 at first",
+                        special = { [0] = "start, or done", [1] = "being shown" }, range = { 0, 1 } },
+                    { "ICONS", INOUT, DATA32, "bit n is large icon n: first the icons to show, then the chosen one",
+                        special = { [0] = "none: closed with the back button" } } } },
+            { 28, "BMPFILE", "Draws a picture file in LEGO's own format .rgf (no .bmp despite the name)",
+                { { "COLOR", IN, DATA8, "colour of the set pixels", special = { [0] = "white, picture inverted", [1] = "black" },
+                        range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "file with extension .rgf, absolute or relative to /home/root/lms2012/sys", most = 119 } } },
+            { 29, "POPUP", "Opens a window that only its opener can draw on, or closes it and restores the display",
+                { { "OPEN", IN, DATA8, "action", special = { [0] = "close", [1] = "open" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 30, "GRAPH_SETUP", "Sets up a graph of up to 8 curves; useless in direct commands, since the arrays must outlive it",
+                { { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "ITEMS", IN, DATA8, "number of curves", range = { 0, 8 }, outside = { ", outside of 0 to 8", "OUTSIDE" },
+                        validated = DATA16 },
+                    { "OFFSET", IN, DATA16, "top edge of each curve", unit = "px", range = { 0, 127 },
+                        outside = { " px, outside of 0 to 127 px", "OUTSIDE" }, length = "ITEMS" },
+                    { "SPAN", IN, DATA16, "height of each curve", unit = "px", range = { 0, 128 },
+                        outside = { " px, outside of 0 to 128 px", "OUTSIDE" }, length = "ITEMS", validated = DATA8 },
+                    { "MIN", IN, DATAF, "value at the bottom of each curve", length = "ITEMS", validated = DATA16 },
+                    { "MAX", IN, DATAF, "value at the top of each curve", length = "ITEMS", validated = DATA16 },
+                    { "SAMPLE", IN, DATAF, "current value of each curve, read again at each GRAPH_SAMPLE", length = "ITEMS", validated = DATA16 } } },
+            { 31, "GRAPH_DRAW", "Draws the graph and measures the curve it shows",
+                { { "VIEW", IN, DATA8, "curve to draw, counted from 0; any other value draws all and measures none",
+                        special = { [-1] = "all" } },
+                    { "ACTUAL", OUT, DATAF, "latest value, NaN if there is none" }, { "LOWEST", OUT, DATAF, "lowest value in the graph" },
+                    { "HIGHEST", OUT, DATAF, "highest value in the graph" }, { "AVERAGE", OUT, DATAF, "mean of the values in the graph" } } },
+            { 32, "TEXTBOX", "Shows a text with a scroll bar and waits until a line is chosen",
+                { { "X0", IN, DATA16, "left edge", unit = "px", range = { 0, 177 }, outside = { " px, outside of 0 to 177 px", "OUTSIDE" } },
+                    { "Y0", IN, DATA16, "top edge", unit = "px", range = { 0, 127 }, outside = { " px, outside of 0 to 127 px", "OUTSIDE" } },
+                    { "X1", IN, DATA16, "width", unit = "px", range = { 0, 178 }, outside = { " px, outside of 0 to 178 px", "OUTSIDE" } },
+                    { "Y1", IN, DATA16, "height", unit = "px", range = { 0, 128 }, outside = { " px, outside of 0 to 128 px", "OUTSIDE" } },
+                    { "TEXT", IN, STRING, "whole text of the box, its lines separated by DEL" },
+                    { "SIZE", IN, DATA32, "size of the box's text buffer, including the zero", unit = "bytes" },
+                    { "DEL", IN, DATA8, "what separates the lines", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "LINE", INOUT, DATA16, "variable, must be -1 at first; then the chosen line, counted from 1",
+                        special = { [-1] = "start, or closed with the back button", [0] = "being shown" }, validated = DATA8 } } },
         } },
-    { 0x90, "KEEP_ALIVE", "Restarts the timer that switches off an idle brick, and reads its time", [[ { "MINUTES", OUT, DATA8, "idle time before switching off", unit = "min", special = { [0] = "never" } } ]] },
-    { 0x85, "TIMER_WAIT", "Stores the end of a wait and returns at once; TIMER_READY does the waiting", [[ { "TIME", IN, DATA32, "duration of the wait", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" } ]] },
-    { 0x86, "TIMER_READY", "Waits until the time that TIMER_WAIT stored", [[ { "TIMER", IN, DATA32, "variable that TIMER_WAIT has set" } ]] },
-    { 0x87, "TIMER_READ", "Reads the time since the start of the program or direct command that asks", [[ { "TIME", OUT, DATA32, "time since the start", unit = "ms" } ]] },
-    { 0x8F, "TIMER_READ_US", "Reads the free-running microsecond clock, for differences only", [[ { "TIME", OUT, DATA32, "low 32 bits of the clock, wraps every 71.6 minutes", unit = "us" } ]] },
-    { 0x94, "SOUND", "Plays or stops a sound", commands = {
-            { 0, "BREAK", "Stops the tone or file that is playing", [[]] },
-            { 1, "TONE", "Plays one tone and returns at once", [[ { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 }, outside = { " %, outside of 0 to 100 %", "OUTSIDE" } }, { "FREQUENCY", IN, DATA16, "pitch; the driver clamps it to the range", unit = "Hz", range = { 250, 10000 }, outside = { " Hz, outside of 250 to 10000 Hz", "OUTSIDE" } }, { "DURATION", IN, DATA16, "duration, read unsigned (-1 is 65535)", unit = "ms", special = { [0] = "until BREAK or the next sound" }, range = { -32767, 65535 }, unsigned = true } ]] },
-            { 2, "PLAY", "Plays a sound file once and returns at once", [[ { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 }, outside = { " %, outside of 0 to 100 %", "OUTSIDE" } }, { "NAME", IN, STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys", most = 119 } ]] },
-            { 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once", [[ { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 }, outside = { " %, outside of 0 to 100 %", "OUTSIDE" } }, { "NAME", IN, STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys", most = 119 } ]] },
-            { 4, "SERVICE", "Does nothing; the number is used inside the firmware to feed the sound driver", [[]] },
+    { 0x90, "KEEP_ALIVE", "Restarts the timer that switches off an idle brick, and reads its time",
+        { { "MINUTES", OUT, DATA8, "idle time before switching off", unit = "min", special = { [0] = "never" } } } },
+    { 0x85, "TIMER_WAIT", "Stores the end of a wait and returns at once; TIMER_READY does the waiting",
+        { { "TIME", IN, DATA32, "duration of the wait", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "TIMER", OUT, DATA32, "variable that gets the end of the wait, on the brick's millisecond clock" } } },
+    { 0x86, "TIMER_READY", "Waits until the time that TIMER_WAIT stored", { { "TIMER", IN, DATA32, "variable that TIMER_WAIT has set" } } },
+    { 0x87, "TIMER_READ", "Reads the time since the start of the program or direct command that asks",
+        { { "TIME", OUT, DATA32, "time since the start", unit = "ms" } } },
+    { 0x8F, "TIMER_READ_US", "Reads the free-running microsecond clock, for differences only",
+        { { "TIME", OUT, DATA32, "low 32 bits of the clock, wraps every 71.6 minutes", unit = "us" } } },
+    { 0x94, "SOUND", "Plays or stops a sound",
+        commands = {
+            { 0, "BREAK", "Stops the tone or file that is playing", {} },
+            { 1, "TONE", "Plays one tone and returns at once",
+                { { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "OUTSIDE" } },
+                    { "FREQUENCY", IN, DATA16, "pitch; the driver clamps it to the range", unit = "Hz", range = { 250, 10000 },
+                        outside = { " Hz, outside of 250 to 10000 Hz", "OUTSIDE" } },
+                    { "DURATION", IN, DATA16, "duration, read unsigned (-1 is 65535)", unit = "ms",
+                        special = { [0] = "until BREAK or the next sound" }, range = { -32767, 65535 }, unsigned = true } } },
+            { 2, "PLAY", "Plays a sound file once and returns at once",
+                { { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys", most = 119 } } },
+            { 3, "REPEAT", "Plays a sound file over and over until BREAK and returns at once",
+                { { "VOLUME", IN, DATA8, "volume", unit = "%", special = { [0] = "silent" }, range = { 0, 100 },
+                        outside = { " %, outside of 0 to 100 %", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "sound file without its extension .rsf, absolute or relative to /home/root/lms2012/sys", most = 119 } } },
+            { 4, "SERVICE", "Does nothing; the number is used inside the firmware to feed the sound driver", {} },
         } },
-    { 0x95, "SOUND_TEST", "Reports whether a sound is playing", [[ { "BUSY", OUT, DATA8, "whether a sound is playing", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } ]] },
-    { 0x96, "SOUND_READY", "Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)", [[]] },
-    { 0x97, "INPUT_SAMPLE", "Reads one SI value of each of several devices, sampled in the background", [[ { "TIME", IN, DATA32, "time between two samples", unit = "ms" }, { "SAMPLES", IN, DATA16, "number of devices the arrays list" }, { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" }, { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" }, { "TYPES", IN, DATA8, "type to set for each device", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" }, length = "SAMPLES" }, { "MODES", IN, DATA8, "mode to set for each device", length = "SAMPLES" }, { "DATASETS", IN, DATA8, "index of the value to read from each device, from 0", length = "SAMPLES" }, { "VALUES", OUT, DATAF, "one value per device, NaN if there is none", length = "SAMPLES" } ]] },
-    { 0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports", [[ { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, length = "LENGTH" }, { "CHANGED", OUT, DATA8, "whether devices came or went since the last call", special = { [0] = "no change" } } ]] },
-    { 0x99, "INPUT_DEVICE", "Asks about devices, calibrates them, reads several values", commands = {
-            { 1, "INSERT_TYPE", "Adds a line to the table of device types, for third party types (50 to 98) only", [[ { "TYPEDATA", IN, STRING, "the line as in typedata.rcf, starting with the type's number" }, { "FORCE", IN, DATA8, "whether to replace a known type", special = { [0] = "refuse a known type", [1] = "replace a known type" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } }, { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or known" }, range = { 0, 1 } } ]] },
-            { 2, "GET_FORMAT", "Describes the values of a device in its current mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "DATASETS", OUT, DATA8, "number of values in one reading" }, { "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT, range = { 0, 3 }, is_ranged = true }, { "MODES", OUT, DATA8, "number of modes of the device", range = { 1, 8 } }, { "VIEWS", OUT, DATA8, "number of modes shown to users", range = { 1, 8 } } ]] },
-            { 3, "CAL_MINMAX", "Sets the raw values that scale a type and mode to percent and SI", [[ { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "CAL_MIN", IN, DATA32, "raw value at the lower end" }, { "CAL_MAX", IN, DATA32, "raw value at full scale" } ]] },
-            { 4, "CAL_DEFAULT", "Restores the built-in scaling of a type and mode", [[ { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } } ]] },
-            { 5, "GET_TYPEMODE", "Reports the device at a port and its mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE, range = { 50, 98 } }, { "MODE", OUT, DATA8, "mode the device is in", range = { 0, 7 } } ]] },
-            { 6, "GET_SYMBOL", "Reads the symbol of the unit of the current mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "DESTINATION", OUT, STRING, "symbol, padded with blanks", length = "LENGTH" } ]] },
-            { 7, "CAL_MIN", "Sets the lower end of the scaling of a type and mode", [[ { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" } ]] },
-            { 8, "CAL_MAX", "Sets the full scale of a type and mode", [[ { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" } ]] },
-            { 9, "SETUP", "Writes to an I2C sensor and reads its answer, repeatedly if requested", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "REPEAT", IN, DATA8, "number of repeats", special = { [0] = "endless" } }, { "TIME", IN, DATA16, "time between repeats", unit = "ms", special = { [0] = "10 ms" }, range = { 10, 1000 }, outside = { " ms, outside of 10 to 1000 ms or 0 (10 ms)", "OUTSIDE" } }, { "WRITE_LEN", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 }, outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } }, { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" }, { "READ_LEN", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes", range = { -32, 32 }, outside = { " bytes, outside of -32 to 32 bytes", "OUTSIDE" } }, { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" } ]] },
-            { 10, "CLR_ALL", "Clears counters and angles of all devices", [[ { "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain", special = { [-1] = "all layers" }, range = { 0, 3 }, outside = { ", outside of 0 to 3 or -1 (all layers)", "OUTSIDE" } } ]] },
-            { 11, "GET_RAW", "Reads the first raw value of a device", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "VALUE", OUT, DATA32, "raw value, NaN if there is none" } ]] },
-            { 12, "GET_CONNECTION", "Reports how the device at a port is connected", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN } ]] },
-            { 13, "STOP_ALL", "Stops all devices, motors among them", [[ { "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain", special = { [-1] = "all layers" }, range = { 0, 3 }, outside = { ", outside of 0 to 3 or -1 (all layers)", "OUTSIDE" } } ]] },
-            { 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only", [[ { "TYPE", IN, DATA8, "type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, is_ranged = true, outside = { ", outside of 50 to 98", "OUTSIDE" } }, { "MODE", IN, DATA8, "mode of the entry", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "NEWTYPE", IN, DATA8, "new type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, is_ranged = true, outside = { ", outside of 50 to 98", "OUTSIDE" } }, { "NEWMODE", IN, DATA8, "new mode of the entry", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or not found" }, range = { 0, 1 } } ]] },
-            { 15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and reports the result", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 }, outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } }, { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" }, { "RDLNG", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes", range = { -32, 32 }, outside = { " bytes, outside of -32 to 32 bytes", "OUTSIDE" } }, { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" }, { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT } ]] },
-            { 21, "GET_NAME", "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" } ]] },
-            { 22, "GET_MODENAME", "Reads the name of any mode of a device", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "MODE", IN, DATA8, "mode to name", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" } ]] },
-            { 23, "SET_RAW", "Simulates a raw value of a device", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "VALUE", IN, DATA32, "raw value to simulate" } ]] },
-            { 24, "GET_FIGURES", "Reports the number of digits that a value of the current mode needs", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "FIGURES", OUT, DATA8, "total number of characters, with point and decimals" }, { "DECIMALS", OUT, DATA8, "digits after the point" } ]] },
-            { 25, "GET_CHANGES", "Reads how often a touch sensor changed to pressed since CLR_CHANGES", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } ]] },
-            { 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } } ]] },
-            { 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "VALUES", IN, COUNT, "number of values that follow, each in percent", element = DATA8, elements = OUT } ]] },
-            { 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "VALUES", IN, COUNT, "number of raw values that follow", reading = "raw", element = DATA32, elements = OUT } ]] },
-            { 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "VALUES", IN, COUNT, "number of values that follow, each in SI units", reading = "si", element = DATAF, elements = OUT } ]] },
-            { 30, "GET_MINMAX", "Reports the range of SI values of the current mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "MIN", OUT, DATAF, "smallest value in SI units" }, { "MAX", OUT, DATAF, "largest value in SI units" } ]] },
-            { 31, "GET_BUMPS", "Reads how often a touch sensor changed to released since CLR_CHANGES", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } ]] },
+    { 0x95, "SOUND_TEST", "Reports whether a sound is playing",
+        { { "BUSY", OUT, DATA8, "whether a sound is playing", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } } },
+    { 0x96, "SOUND_READY", "Waits until the sound has ended (forever after REPEAT, an endless tone or a missing file)", {} },
+    { 0x97, "INPUT_SAMPLE", "Reads one SI value of each of several devices, sampled in the background",
+        { { "TIME", IN, DATA32, "time between two samples", unit = "ms" }, { "SAMPLES", IN, DATA16, "number of devices the arrays list" },
+            { "INIT", IN, DATA16, "place in the sample buffer of each device, -1 starts it anew", length = "SAMPLES" },
+            { "DEVICES", IN, DATA8, "ports, 0 to 3 for sensors, 4 to 7 for motors A to D", length = "SAMPLES" },
+            { "TYPES", IN, DATA8, "type to set for each device", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                outside = { ", which is not in TYPE", "NO_MEMBER" }, length = "SAMPLES" },
+            { "MODES", IN, DATA8, "mode to set for each device", length = "SAMPLES" },
+            { "DATASETS", IN, DATA8, "index of the value to read from each device, from 0", length = "SAMPLES" },
+            { "VALUES", OUT, DATAF, "one value per device, NaN if there is none", length = "SAMPLES" } } },
+    { 0x98, "INPUT_DEVICE_LIST", "Lists the types of all devices, sensor ports of each layer first, then motor ports",
+        { { "LENGTH", IN, DATA8, "size of the array; 32 holds the whole daisy chain", range = { 0, 127 },
+                outside = { ", outside of 0 to 127", "OUTSIDE" } },
+            { "ARRAY", OUT, DATA8, "type of device at each port", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, length = "LENGTH" },
+            { "CHANGED", OUT, DATA8, "whether devices came or went since the last call", special = { [0] = "no change" } } } },
+    { 0x99, "INPUT_DEVICE", "Asks about devices, calibrates them, reads several values",
+        commands = {
+            { 1, "INSERT_TYPE", "Adds a line to the table of device types, for third party types (50 to 98) only",
+                { { "TYPEDATA", IN, STRING, "the line as in typedata.rcf, starting with the type's number" },
+                    { "FORCE", IN, DATA8, "whether to replace a known type",
+                        special = { [0] = "refuse a known type", [1] = "replace a known type" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } },
+                    { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or known" }, range = { 0, 1 } } } },
+            { 2, "GET_FORMAT", "Describes the values of a device in its current mode",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "DATASETS", OUT, DATA8, "number of values in one reading" },
+                    { "FORMAT", OUT, DATA8, "type of one raw value", enum = ENUMERATIONS.DATA_FORMAT, range = { 0, 3 }, is_ranged = true },
+                    { "MODES", OUT, DATA8, "number of modes of the device", range = { 1, 8 } },
+                    { "VIEWS", OUT, DATA8, "number of modes shown to users", range = { 1, 8 } } } },
+            { 3, "CAL_MINMAX", "Sets the raw values that scale a type and mode to percent and SI",
+                { { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "CAL_MIN", IN, DATA32, "raw value at the lower end" }, { "CAL_MAX", IN, DATA32, "raw value at full scale" } } },
+            { 4, "CAL_DEFAULT", "Restores the built-in scaling of a type and mode",
+                { { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } } } },
+            { 5, "GET_TYPEMODE", "Reports the device at a port and its mode",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "TYPE", OUT, DATA8, "type of the device", enum = ENUMERATIONS.TYPE, range = { 50, 98 } },
+                    { "MODE", OUT, DATA8, "mode the device is in", range = { 0, 7 } } } },
+            { 6, "GET_SYMBOL", "Reads the symbol of the unit of the current mode",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "DESTINATION", OUT, STRING, "symbol, padded with blanks", length = "LENGTH" } } },
+            { 7, "CAL_MIN", "Sets the lower end of the scaling of a type and mode",
+                { { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "CAL_MIN", IN, DATA32, "value at the lower end, in SI units once calibrated" } } },
+            { 8, "CAL_MAX", "Sets the full scale of a type and mode",
+                { { "TYPE", IN, DATA8, "type of device the calibration is for", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode the calibration is for", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "CAL_MAX", IN, DATA32, "value at full scale, in SI units once calibrated" } } },
+            { 9, "SETUP", "Writes to an I2C sensor and reads its answer, repeatedly if requested",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "REPEAT", IN, DATA8, "number of repeats", special = { [0] = "endless" } },
+                    { "TIME", IN, DATA16, "time between repeats", unit = "ms", special = { [0] = "10 ms" }, range = { 10, 1000 },
+                        outside = { " ms, outside of 10 to 1000 ms or 0 (10 ms)", "OUTSIDE" } },
+                    { "WRITE_LEN", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 },
+                        outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } },
+                    { "WRITE_DATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRITE_LEN" },
+                    { "READ_LEN", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes", range = { -32, 32 },
+                        outside = { " bytes, outside of -32 to 32 bytes", "OUTSIDE" } },
+                    { "READ_DATA", OUT, DATA8, "bytes read", length = "READ_LEN" } } },
+            { 10, "CLR_ALL", "Clears counters and angles of all devices",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain", special = { [-1] = "all layers" }, range = { 0, 3 },
+                        outside = { ", outside of 0 to 3 or -1 (all layers)", "OUTSIDE" } } } },
+            { 11, "GET_RAW", "Reads the first raw value of a device",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "VALUE", OUT, DATA32, "raw value, NaN if there is none" } } },
+            { 12, "GET_CONNECTION", "Reports how the device at a port is connected",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "CONN", OUT, DATA8, "kind of connection", enum = ENUMERATIONS.CONN } } },
+            { 13, "STOP_ALL", "Stops all devices, motors among them",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain", label = "Daisy chain", special = { [-1] = "all layers" }, range = { 0, 3 },
+                        outside = { ", outside of 0 to 3 or -1 (all layers)", "OUTSIDE" } } } },
+            { 14, "SET_TYPEMODE", "Renumbers an entry of the table of device types, third party types only",
+                { { "TYPE", IN, DATA8, "type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, is_ranged = true,
+                        outside = { ", outside of 50 to 98", "OUTSIDE" } },
+                    { "MODE", IN, DATA8, "mode of the entry", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "NEWTYPE", IN, DATA8, "new type of the entry", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, is_ranged = true,
+                        outside = { ", outside of 50 to 98", "OUTSIDE" } },
+                    { "NEWMODE", IN, DATA8, "new mode of the entry", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "ERROR", OUT, DATA8, "whether it failed", special = { [0] = "done", [1] = "failed or not found" }, range = { 0, 1 } } } },
+            { 15, "READY_IIC", "Writes to an I2C sensor once, waits for its answer and reports the result",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 },
+                        outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } },
+                    { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
+                    { "RDLNG", IN, DATA8, "number of bytes to read, negative: in reverse order", unit = "bytes", range = { -32, 32 },
+                        outside = { " bytes, outside of -32 to 32 bytes", "OUTSIDE" } },
+                    { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" },
+                    { "RESULT", OUT, DATA8, "how the transfer ended", enum = ENUMERATIONS.RESULT } } },
+            { 21, "GET_NAME", "Reads the name of a device in its current mode, such as TOUCH or COL-REFLECT",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" } } },
+            { 22, "GET_MODENAME", "Reads the name of any mode of a device",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "MODE", IN, DATA8, "mode to name", range = { 0, 7 }, outside = { ", outside of 0 to 7", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "DESTINATION", OUT, STRING, "name, padded with blanks", length = "LENGTH" } } },
+            { 23, "SET_RAW", "Simulates a raw value of a device",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "VALUE", IN, DATA32, "raw value to simulate" } } },
+            { 24, "GET_FIGURES", "Reports the number of digits that a value of the current mode needs",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "FIGURES", OUT, DATA8, "total number of characters, with point and decimals" },
+                    { "DECIMALS", OUT, DATA8, "digits after the point" } } },
+            { 25, "GET_CHANGES", "Reads how often a touch sensor changed to pressed since CLR_CHANGES",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } } },
+            { 26, "CLR_CHANGES", "Sets the counts of GET_CHANGES and GET_BUMPS to zero",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } } } },
+            { 27, "READY_PCT", "Sets type and mode, waits until the device is ready and reads percent values",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+                    { "VALUES", IN, COUNT, "number of values that follow, each in percent", element = DATA8, elements = OUT } } },
+            { 28, "READY_RAW", "Sets type and mode, waits until the device is ready and reads raw values",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+                    { "VALUES", IN, COUNT, "number of raw values that follow", reading = "raw", element = DATA32, elements = OUT } } },
+            { 29, "READY_SI", "Sets type and mode, waits until the device is ready and reads SI values",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                        outside = { ", which is not in TYPE", "NO_MEMBER" } },
+                    { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                        outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+                    { "VALUES", IN, COUNT, "number of values that follow, each in SI units", reading = "si", element = DATAF, elements = OUT } } },
+            { 30, "GET_MINMAX", "Reports the range of SI values of the current mode",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "MIN", OUT, DATAF, "smallest value in SI units" }, { "MAX", OUT, DATAF, "largest value in SI units" } } },
+            { 31, "GET_BUMPS", "Reads how often a touch sensor changed to released since CLR_CHANGES",
+                { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                        outside = { ", outside of 0 to 3", "OUTSIDE" } },
+                    { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                        special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                            [18] = "motor port C", [19] = "motor port D" },
+                        range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+                    { "VALUE", OUT, DATAF, "number of changes, 0 for other sensors" } } },
         } },
-    { 0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "PCT", OUT, DATA8, "value, NaN if there is none", unit = "%" } ]] },
-    { 0x9B, "INPUT_TEST", "Reports whether a device is still changing type or mode", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } ]] },
-    { 0x9C, "INPUT_READY", "Waits until a device has valid values", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } } ]] },
-    { 0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none", reading = "si" } ]] },
-    { 0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B", [18] = "motor port C", [19] = "motor port D" }, range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } }, { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 }, outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } }, { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT, outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } }, { "VALUES", IN, COUNT, "number of values that follow, each in FORMAT", element = "FORMAT", elements = OUT } ]] },
-    { 0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 1, 32 }, outside = { " bytes, outside of 1 to 32 bytes", "OUTSIDE" } }, { "DATA", IN, DATA8, "bytes to send", length = "BYTES" } ]] },
-    { 0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum = ENUMERATIONS.CONN, outside = { ", which is not in CONN", "NO_MEMBER" } } ]], dialects = { xtended = true, compat = true } },
-    { 0xE1, "INPUT_IIC_READ", "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "RDLNG", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 32 }, outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } }, { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" }, { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } ]], dialects = { xtended = true, compat = true } },
-    { 0xE2, "INPUT_IIC_STATUS", "Reports the state of the I2C bus of a port", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT } ]], dialects = { xtended = true, compat = true } },
-    { 0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once, without waiting for its answer", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 }, outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } }, { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" }, { "RDLNG", IN, DATA8, "number of bytes in the sensor's answer", unit = "bytes", range = { 0, 32 }, outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } }, { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT } ]], dialects = { xtended = true, compat = true } },
-    { 0xE4, "INPUT_SET_AUTOID", "Switches the automatic detection of sensors at a port on or off", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port", special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]], dialects = { xtended = true, compat = true } },
-    { 0xA0, "OUTPUT_GET_TYPE", "Reports the type of motor at a port; documented, but not implemented by any firmware", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } } ]], dialects = {} },
-    { 0xA1, "OUTPUT_SET_TYPE", "Declares which type of motor is at a port", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 }, outside = { ", which is not in TYPE", "NO_MEMBER" } } ]] },
-    { 0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } ]] },
-    { 0xA3, "OUTPUT_STOP", "Stops motors", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xA4, "OUTPUT_POWER", "Sets the power of motors, which run at the next OUTPUT_START", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } } ]] },
-    { 0xA5, "OUTPUT_SPEED", "Sets the speed of motors, which run at the next OUTPUT_START", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } } ]] },
-    { 0xA6, "OUTPUT_START", "Starts motors with the power or speed set before", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } ]] },
-    { 0xA7, "OUTPUT_POLARITY", "Sets the direction of motors", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "POL", IN, DATA8, "direction", special = { [-1] = "backward", [0] = "opposite of the current one", [1] = "forward" }, range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } } ]] },
-    { 0xA8, "OUTPUT_READ", "Reads speed and tacho count of one motor, 0 on layers other than 0", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } }, { "TACHO", OUT, DATA32, "angle in the current phase of a move; about 0 after one that brakes", unit = "degrees" } ]] },
-    { 0xA9, "OUTPUT_TEST", "Reports whether one of the motors is still in a move that ends by itself", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } ]] },
-    { 0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended; ignores those from OUTPUT_START", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } ]] },
-    { 0xAB, "OUTPUT_POSITION", "Reports the position of motors; documented, but not implemented by any firmware", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "POS", OUT, DATA32, "position", unit = "degrees" } ]], dialects = {} },
-    { 0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xB0, "OUTPUT_STEP_SYNC", "Turns two motors in step by an angle", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower", special = { [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight", [100] = "higher port stands still", [200] = "spin, higher port runs backward" }, range = { -200, 200 }, outside = { ", outside of -200 to 200", "OUTSIDE" } }, { "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees", special = { [0] = "endless" }, range = { 0, 2147483647 }, outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xB1, "OUTPUT_TIME_SYNC", "Runs two motors in step for a time", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } }, { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 }, outside = { " %, outside of -100 to 100 %", "OUTSIDE" } }, { "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower", special = { [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight", [100] = "higher port stands still", [200] = "spin, higher port runs backward" }, range = { -200, 200 }, outside = { ", outside of -200 to 200", "OUTSIDE" } }, { "TIME", IN, DATA32, "how long to run", unit = "ms", special = { [0] = "endless" }, range = { 0, 2147483647 }, outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } }, { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-    { 0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts of motors read as sensors to zero", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports", special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }, is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } ]] },
-    { 0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count of a motor read as a sensor", [[ { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "NOS", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } }, { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" } ]] },
-    { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does", [[]] },
-    { 0x7E, "MEMORY_WRITE", "Writes bytes into the variables of a running program", [[ { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true, outside = { ", outside of 0 to 4", "OUTSIDE" } }, { "OBJID", IN, DATA16, "object whose local memory is meant", special = { [0] = "the program's global memory" } }, { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" } ]] },
-    { 0x7F, "MEMORY_READ", "Reads bytes from the variables of a running program", [[ { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true, outside = { ", outside of 0 to 4", "OUTSIDE" } }, { "OBJID", IN, DATA16, "object whose local memory is meant", special = { [0] = "the program's global memory" } }, { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" } ]] },
-    { 0xC0, "FILE", "Works on files, folders, data logs, program images and the list of recent files", commands = {
-            { 0, "OPEN_APPEND", "Opens a file for appending; creates it if it does not exist", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 }, { "HANDLE", OUT, HANDLE, "handle of the opened file" } ]] },
-            { 1, "OPEN_READ", "Opens a file for reading", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 }, { "HANDLE", OUT, HANDLE, "handle of the opened file" }, { "SIZE", OUT, DATA32, "size of the file", unit = "bytes", special = { [0] = "not found" } } ]] },
-            { 2, "OPEN_WRITE", "Creates or truncates a file and opens it for writing", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 }, { "HANDLE", OUT, HANDLE, "handle of the opened file" } ]] },
-            { 3, "READ_VALUE", "Reads the text up to the next delimiter and turns it into a number", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "VALUE", OUT, DATAF, "the number, 0 if the text is not a number" } ]] },
-            { 4, "WRITE_VALUE", "Writes a number as text, and a delimiter after it", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "VALUE", IN, DATAF, "the number" }, { "FIGURES", IN, DATA8, "minimum width in characters, including the decimal point" }, { "DECIMALS", IN, DATA8, "digits after the decimal point" } ]] },
-            { 5, "READ_TEXT", "Reads text up to the next delimiter", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "LENGTH", IN, DATA16, "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127", unit = "bytes" }, { "TEXT", OUT, STRING, "the text, without a zero at its end if it fills the whole buffer", length = "LENGTH" } ]] },
-            { 6, "WRITE_TEXT", "Writes text without its zero, and a delimiter after it", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL, outside = { ", which is not in DEL", "NO_MEMBER" } }, { "TEXT", IN, STRING, "the text" } ]] },
-            { 7, "CLOSE", "Closes a file and frees its handle", [[ { "HANDLE", IN, HANDLE, "the open file" } ]] },
-            { 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run", [[ { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true, outside = { ", outside of 0 to 4", "OUTSIDE" } }, { "NAME", IN, STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted", most = 119 }, { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } }, { "IP", OUT, DATA32, "where it was loaded, for PROGRAM_START", special = { [0] = "not loaded" } } ]] },
-            { 9, "GET_HANDLE", "Finds the handle of a file that is already open", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 }, { "HANDLE", OUT, HANDLE, "the open file", special = { [-1] = "not open" } }, { "WRITE", OUT, DATA8, "whether it is open for writing or appending", special = { [0] = "no", [1] = "yes" } } ]] },
-            { 10, "MAKE_FOLDER", "Creates a folder unless it exists", [[ { "NAME", IN, STRING, "path of the folder, relative to /home/root/lms2012/sys", most = 119 }, { "SUCCESS", OUT, DATA8, "whether the folder exists now", special = { [0] = "no", [1] = "yes" } } ]] },
-            { 11, "GET_POOL", "Reserves a block of memory for the program", [[ { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 1, 6000000 }, outside = { " bytes, outside of 1 to 6000000 bytes", "OUTSIDE" } }, { "HANDLE", OUT, HANDLE, "handle of the block" }, { "IP", OUT, DATA32, "address of the block" } ]] },
-            { 12, "SET_LOG_SYNC_TIME", "Stores the time and tick to which data logs are aligned", [[ { "TIME", IN, DATA32, "the common time" }, { "TICK", IN, DATA32, "the brick's tick at that time" } ]] },
-            { 13, "GET_FOLDERS", "Counts the entries of a folder, without hidden ones", [[ { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 }, { "ITEMS", OUT, DATA8, "number of entries" } ]] },
-            { 14, "GET_LOG_SYNC_TIME", "Reads the time and tick to which data logs are aligned", [[ { "TIME", OUT, DATA32, "the common time" }, { "TICK", OUT, DATA32, "the brick's tick at that time" } ]] },
-            { 15, "GET_SUBFOLDER_NAME", "Reads the name of one entry of a folder", [[ { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 }, { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 }, outside = { ", outside of 1 to 127", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" }, { "STRING", OUT, STRING, "its name without extension, empty if there is no such entry", length = "LENGTH" } ]] },
-            { 16, "WRITE_LOG", "Adds one row of samples to a data log", [[ { "HANDLE", IN, HANDLE, "the open data log" }, { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" }, { "ITEMS", IN, DATA8, "number of samples; with 0 nothing is written", range = { 0, 127 }, outside = { ", outside of 0 to 127", "OUTSIDE" } }, { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" } ]] },
-            { 17, "CLOSE_LOG", "Writes the rest of a data log and closes it", [[ { "HANDLE", IN, HANDLE, "the open data log" }, { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" } ]] },
-            { 18, "GET_IMAGE", "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails", [[ { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 }, { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 }, outside = { ", outside of 1 to 127", "OUTSIDE" } }, { "IP", OUT, DATA32, "where it was loaded" } ]] },
-            { 19, "GET_ITEM", "Finds an entry of a folder by its name", [[ { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 }, { "STRING", IN, STRING, "name to look for, without extension" }, { "ITEM", OUT, DATA8, "number of the entry; the first is 1", special = { [0] = "not found" }, range = { 1, 127 } } ]] },
-            { 20, "GET_CACHE_FILES", "Counts the recently run files", [[ { "ITEMS", OUT, DATA8, "number of files, at most 10" } ]] },
-            { 21, "PUT_CACHE_FILE", "Puts a file first in the list of recently run files", [[ { "STRING", IN, STRING, "path of the file" } ]] },
-            { 22, "GET_CACHE_FILE", "Reads the path of one recently run file", [[ { "ITEM", IN, DATA8, "which one, 1 is the latest", range = { 1, 10 }, outside = { ", outside of 1 to 10", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" }, { "STRING", OUT, STRING, "path of the file, empty if there is none", length = "LENGTH" } ]] },
-            { 23, "DEL_CACHE_FILE", "Removes a file from the list of recently run files", [[ { "STRING", IN, STRING, "path of the file, as given to PUT_CACHE_FILE" } ]] },
-            { 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it", [[ { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 }, { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 }, outside = { ", outside of 1 to 127", "OUTSIDE" } } ]] },
-            { 25, "GET_LOG_NAME", "Reads the path of the open data log", [[ { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" }, { "NAME", OUT, STRING, "path of the log, empty if none is open", length = "LENGTH" } ]] },
-            { 27, "OPEN_LOG", "Creates a data log and writes its header", [[ { "NAME", IN, STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory" }, { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME returns it" }, { "syncedTick", IN, DATA32, "the brick's tick at that time" }, { "nowTick", IN, DATA32, "the brick's tick at the start of the log" }, { "sample_interval_in_ms", IN, DATA32, "time between samples; fast logs are kept in memory first", unit = "ms" }, { "duration_in_ms", IN, DATA32, "duration of the log", unit = "ms" }, { "SDATA", IN, STRING, "text that describes the sensors, copied into the header" }, { "HANDLE", OUT, HANDLE, "handle of the log" } ]] },
-            { 28, "READ_BYTES", "Reads raw bytes from a file", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 }, outside = { " bytes, outside of 0 to 32767 bytes", "OUTSIDE" } }, { "DESTINATION", OUT, DATA8, "the bytes; followed by a zero if the file ended early", length = "BYTES" } ]] },
-            { 29, "WRITE_BYTES", "Writes raw bytes to a file", [[ { "HANDLE", IN, HANDLE, "the open file" }, { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 }, outside = { " bytes, outside of 0 to 32767 bytes", "OUTSIDE" } }, { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" } ]] },
-            { 30, "REMOVE", "Deletes a file, or a folder with the files in it", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 } ]] },
-            { 31, "MOVE", "Copies a file or folder and replaces the destination; the source is kept", [[ { "SOURCE", IN, STRING, "path to copy from" }, { "DEST", IN, STRING, "path to copy to; any existing one is deleted first" } ]] },
+    { 0x9A, "INPUT_READ", "Sets type and mode and reads the first value in percent at once",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                    [18] = "motor port C", [19] = "motor port D" },
+                range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+            { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                outside = { ", which is not in TYPE", "NO_MEMBER" } },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+            { "PCT", OUT, DATA8, "value, NaN if there is none", unit = "%" } } },
+    { 0x9B, "INPUT_TEST", "Reports whether a device is still changing type or mode",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                    [18] = "motor port C", [19] = "motor port D" },
+                range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } } },
+    { 0x9C, "INPUT_READY", "Waits until a device has valid values",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                    [18] = "motor port C", [19] = "motor port D" },
+                range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } } } },
+    { 0x9D, "INPUT_READSI", "Sets type and mode and reads the first value in SI units at once",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                    [18] = "motor port C", [19] = "motor port D" },
+                range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+            { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                outside = { ", which is not in TYPE", "NO_MEMBER" } },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+            { "SI", OUT, DATAF, "value in the mode's unit, NaN if there is none", reading = "si" } } },
+    { 0x9E, "INPUT_READEXT", "Sets type and mode and reads several values at once, in the format asked for",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0; 16 to 19 for motors", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4", [16] = "motor port A", [17] = "motor port B",
+                    [18] = "motor port C", [19] = "motor port D" },
+                range = { 0, 19 }, outside = { ", outside of 0 to 19", "OUTSIDE" } },
+            { "TYPE", IN, DATA8, "type to set", enum = ENUMERATIONS.TYPE, special = { [0] = "keep the type" }, range = { 50, 98 },
+                outside = { ", which is not in TYPE", "NO_MEMBER" } },
+            { "MODE", IN, DATA8, "mode to set", special = { [-1] = "keep the mode" }, range = { 0, 7 },
+                outside = { ", outside of 0 to 7 or -1 (keep the mode)", "OUTSIDE" } },
+            { "FORMAT", IN, DATA8, "DATA_PCT, DATA_RAW or DATA_SI; others give NaN", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
+            { "VALUES", IN, COUNT, "number of values that follow, each in FORMAT", element = "FORMAT", elements = OUT } } },
+    { 0x9F, "INPUT_WRITE", "Sends bytes to a UART sensor",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "BYTES", IN, DATA8, "number of bytes to send", unit = "bytes", range = { 1, 32 },
+                outside = { " bytes, outside of 1 to 32 bytes", "OUTSIDE" } },
+            { "DATA", IN, DATA8, "bytes to send", length = "BYTES" } } },
+    { 0xE0, "INPUT_SET_CONN", "Sets how a port is connected, for ports whose automatic detection is off",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "CONN", IN, DATA8, "CONN_NXT_IIC, CONN_NXT_DUMB, CONN_INPUT_DUMB or CONN_NONE", enum = ENUMERATIONS.CONN,
+                outside = { ", which is not in CONN", "NO_MEMBER" } } },
+        dialects = { xtended = true, compat = true } },
+    { 0xE1, "INPUT_IIC_READ", "Fetches the bytes that an I2C sensor answered to INPUT_IIC_WRITE",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "RDLNG", IN, DATA8, "number of bytes to read", unit = "bytes", range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } },
+            { "RDDATA", OUT, DATA8, "bytes read", length = "RDLNG" }, { "RESULT", OUT, DATA8, "OK or FAIL", enum = ENUMERATIONS.RESULT } },
+        dialects = { xtended = true, compat = true } },
+    { 0xE2, "INPUT_IIC_STATUS", "Reports the state of the I2C bus of a port",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "RESULT", OUT, DATA8, "state of the bus", enum = ENUMERATIONS.RESULT } },
+        dialects = { xtended = true, compat = true } },
+    { 0xE3, "INPUT_IIC_WRITE", "Sends bytes to an I2C sensor once, without waiting for its answer",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "WRLNG", IN, DATA8, "number of bytes to write", unit = "bytes", range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } },
+            { "WRDATA", IN, DATA8, "bytes to write: I2C address, register, data", length = "WRLNG" },
+            { "RDLNG", IN, DATA8, "number of bytes in the sensor's answer", unit = "bytes", range = { 0, 32 },
+                outside = { " bytes, outside of 0 to 32 bytes", "OUTSIDE" } },
+            { "RESULT", OUT, DATA8, "state of the bus after the request", enum = ENUMERATIONS.RESULT } },
+        dialects = { xtended = true, compat = true } },
+    { 0xE4, "INPUT_SET_AUTOID", "Switches the automatic detection of sensors at a port on or off",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "sensor port, counted from 0", label = "Port",
+                special = { [0] = "port 1", [1] = "port 2", [2] = "port 3", [3] = "port 4" }, range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "ENABLE", IN, DATA8, "whether to detect", special = { [0] = "off", [1] = "on" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } },
+        dialects = { xtended = true, compat = true } },
+    { 0xA0, "OUTPUT_GET_TYPE", "Reports the type of motor at a port; documented, but not implemented by any firmware",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true,
+                range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "TYPE", OUT, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 } } },
+        dialects = {} },
+    { 0xA1, "OUTPUT_SET_TYPE", "Declares which type of motor is at a port",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true,
+                range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "TYPE", IN, DATA8, "type of the motor", enum = ENUMERATIONS.TYPE, range = { 50, 98 },
+                outside = { ", which is not in TYPE", "NO_MEMBER" } } } },
+    { 0xA2, "OUTPUT_RESET", "Sets the tacho counts that moves and OUTPUT_READ use to zero",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } } },
+    { 0xA3, "OUTPUT_STOP", "Stops motors",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xA4, "OUTPUT_POWER", "Sets the power of motors, which run at the next OUTPUT_START",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } } } },
+    { 0xA5, "OUTPUT_SPEED", "Sets the speed of motors, which run at the next OUTPUT_START",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } } } },
+    { 0xA6, "OUTPUT_START", "Starts motors with the power or speed set before",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } } },
+    { 0xA7, "OUTPUT_POLARITY", "Sets the direction of motors",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "POL", IN, DATA8, "direction", special = { [-1] = "backward", [0] = "opposite of the current one", [1] = "forward" },
+                range = { -1, 1 }, outside = { ", outside of -1 to 1", "OUTSIDE" } } } },
+    { 0xA8, "OUTPUT_READ", "Reads speed and tacho count of one motor, 0 on layers other than 0",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NO", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" }, is_motor = true,
+                range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "SPEED", OUT, DATA8, "current speed", unit = "%", range = { -100, 100 } },
+            { "TACHO", OUT, DATA32, "angle in the current phase of a move; about 0 after one that brakes", unit = "degrees" } } },
+    { 0xA9, "OUTPUT_TEST", "Reports whether one of the motors is still in a move that ends by itself",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } } },
+    { 0xAA, "OUTPUT_READY", "Waits until the moves of the motors have ended; ignores those from OUTPUT_START",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } } },
+    { 0xAB, "OUTPUT_POSITION", "Reports the position of motors; documented, but not implemented by any firmware",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "POS", OUT, DATA32, "position", unit = "degrees" } },
+        dialects = {} },
+    { 0xAC, "OUTPUT_STEP_POWER", "Turns motors by an angle with unregulated power",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xAD, "OUTPUT_TIME_POWER", "Runs motors for a time with unregulated power",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "POWER", IN, DATA8, "unregulated power; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xAE, "OUTPUT_STEP_SPEED", "Turns motors by an angle with regulated speed",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "STEP1", IN, DATA32, "angle of the ramp up", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "STEP2", IN, DATA32, "angle at constant drive", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "STEP3", IN, DATA32, "angle of the ramp down", unit = "degrees", range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xAF, "OUTPUT_TIME_SPEED", "Runs motors for a time with regulated speed",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "TIME1", IN, DATA32, "time of the ramp up", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "TIME2", IN, DATA32, "time at constant drive", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "TIME3", IN, DATA32, "time of the ramp down", unit = "ms", range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xB0, "OUTPUT_STEP_SYNC", "Turns two motors in step by an angle",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
+                special = { [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight",
+                    [100] = "higher port stands still", [200] = "spin, higher port runs backward" },
+                range = { -200, 200 }, outside = { ", outside of -200 to 200", "OUTSIDE" } },
+            { "STEP", IN, DATA32, "angle of the faster motor", unit = "degrees", special = { [0] = "endless" }, range = { 0, 2147483647 },
+                outside = { " degrees, outside of 0 to 2147483647 degrees", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xB1, "OUTPUT_TIME_SYNC", "Runs two motors in step for a time",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } },
+            { "SPEED", IN, DATA8, "regulated speed; negative: backward", unit = "%", range = { -100, 100 },
+                outside = { " %, outside of -100 to 100 %", "OUTSIDE" } },
+            { "TURN", IN, DATA16, "how tight the turn is, positive slows the higher port, negative the lower",
+                special = { [-200] = "spin, lower port runs backward", [-100] = "lower port stands still", [0] = "straight",
+                    [100] = "higher port stands still", [200] = "spin, higher port runs backward" },
+                range = { -200, 200 }, outside = { ", outside of -200 to 200", "OUTSIDE" } },
+            { "TIME", IN, DATA32, "how long to run", unit = "ms", special = { [0] = "endless" }, range = { 0, 2147483647 },
+                outside = { " ms, outside of 0 to 2147483647 ms", "OUTSIDE" } },
+            { "BRAKE", IN, DATA8, "what the motors do at the end", special = { [0] = "coast", [1] = "brake and hold" }, range = { 0, 1 },
+                outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+    { 0xB2, "OUTPUT_CLR_COUNT", "Sets the tacho counts of motors read as sensors to zero",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "ports as a bit mask: A 1, B 2, C 4, D 8", label = "Ports",
+                special = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D",
+                    [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" },
+                is_set = true, range = { 1, 15 }, outside = { ", outside of 0 to 15", "OUTSIDE" } } } },
+    { 0xB3, "OUTPUT_GET_COUNT", "Reads the tacho count of a motor read as a sensor",
+        { { "LAYER", IN, DATA8, "brick in the daisy chain, 0 is the one addressed", label = "Daisy chain", range = { 0, 3 },
+                outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "NOS", IN, DATA8, "port, counted from 0", label = "Port", special = { [0] = "A", [1] = "B", [2] = "C", [3] = "D" },
+                is_motor = true, range = { 0, 3 }, outside = { ", outside of 0 to 3", "OUTSIDE" } },
+            { "TACHO", OUT, DATA32, "angle since OUTPUT_CLR_COUNT", unit = "degrees" } } },
+    { 0xB4, "OUTPUT_PRG_STOP", "Stops and resets all motors as the end of a program does", {} },
+    { 0x7E, "MEMORY_WRITE", "Writes bytes into the variables of a running program",
+        { { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true,
+                outside = { ", outside of 0 to 4", "OUTSIDE" } },
+            { "OBJID", IN, DATA16, "object whose local memory is meant", special = { [0] = "the program's global memory" } },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+            { "ARRAY", IN, DATA8, "the bytes; those beyond the end of the memory are dropped", length = "SIZE" } } },
+    { 0x7F, "MEMORY_READ", "Reads bytes from the variables of a running program",
+        { { "PRGID", IN, DATA16, "slot of the program, which must be running", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true,
+                outside = { ", outside of 0 to 4", "OUTSIDE" } },
+            { "OBJID", IN, DATA16, "object whose local memory is meant", special = { [0] = "the program's global memory" } },
+            { "OFFSET", IN, DATA32, "first byte in that memory", unit = "bytes", range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+            { "SIZE", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 },
+                outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+            { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the memory", length = "SIZE" } } },
+    { 0xC0, "FILE", "Works on files, folders, data logs, program images and the list of recent files",
+        commands = {
+            { 0, "OPEN_APPEND", "Opens a file for appending; creates it if it does not exist",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" } } },
+            { 1, "OPEN_READ", "Opens a file for reading",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" },
+                    { "SIZE", OUT, DATA32, "size of the file", unit = "bytes", special = { [0] = "not found" } } } },
+            { 2, "OPEN_WRITE", "Creates or truncates a file and opens it for writing",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 },
+                    { "HANDLE", OUT, HANDLE, "handle of the opened file" } } },
+            { 3, "READ_VALUE", "Reads the text up to the next delimiter and turns it into a number",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "VALUE", OUT, DATAF, "the number, 0 if the text is not a number" } } },
+            { 4, "WRITE_VALUE", "Writes a number as text, and a delimiter after it",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "VALUE", IN, DATAF, "the number" }, { "FIGURES", IN, DATA8, "minimum width in characters, including the decimal point" },
+                    { "DECIMALS", IN, DATA8, "digits after the decimal point" } } },
+            { 5, "READ_TEXT", "Reads text up to the next delimiter",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "LENGTH", IN, DATA16, "maximum number of bytes to read; LEGO's firmware keeps the low 8 bits, so 127", unit = "bytes" },
+                    { "TEXT", OUT, STRING, "the text, without a zero at its end if it fills the whole buffer", length = "LENGTH" } } },
+            { 6, "WRITE_TEXT", "Writes text without its zero, and a delimiter after it",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "DEL", IN, DATA8, "separator between two values in the file", enum = ENUMERATIONS.DEL,
+                        outside = { ", which is not in DEL", "NO_MEMBER" } },
+                    { "TEXT", IN, STRING, "the text" } } },
+            { 7, "CLOSE", "Closes a file and frees its handle", { { "HANDLE", IN, HANDLE, "the open file" } } },
+            { 8, "LOAD_IMAGE", "Loads a program file into a stopped slot, for PROGRAM_START to run",
+                { { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, range = { 0, 4 }, is_ranged = true,
+                        outside = { ", outside of 0 to 4", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "path of the program, relative to /home/root/lms2012/sys; .rbf may be omitted", most = 119 },
+                    { "SIZE", OUT, DATA32, "size of the program", unit = "bytes", special = { [0] = "not loaded" } },
+                    { "IP", OUT, DATA32, "where it was loaded, for PROGRAM_START", special = { [0] = "not loaded" } } } },
+            { 9, "GET_HANDLE", "Finds the handle of a file that is already open",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 },
+                    { "HANDLE", OUT, HANDLE, "the open file", special = { [-1] = "not open" } },
+                    { "WRITE", OUT, DATA8, "whether it is open for writing or appending", special = { [0] = "no", [1] = "yes" } } } },
+            { 10, "MAKE_FOLDER", "Creates a folder unless it exists",
+                { { "NAME", IN, STRING, "path of the folder, relative to /home/root/lms2012/sys", most = 119 },
+                    { "SUCCESS", OUT, DATA8, "whether the folder exists now", special = { [0] = "no", [1] = "yes" } } } },
+            { 11, "GET_POOL", "Reserves a block of memory for the program",
+                { { "SIZE", IN, DATA32, "how much memory", unit = "bytes", range = { 1, 6000000 },
+                        outside = { " bytes, outside of 1 to 6000000 bytes", "OUTSIDE" } },
+                    { "HANDLE", OUT, HANDLE, "handle of the block" }, { "IP", OUT, DATA32, "address of the block" } } },
+            { 12, "SET_LOG_SYNC_TIME", "Stores the time and tick to which data logs are aligned",
+                { { "TIME", IN, DATA32, "the common time" }, { "TICK", IN, DATA32, "the brick's tick at that time" } } },
+            { 13, "GET_FOLDERS", "Counts the entries of a folder, without hidden ones",
+                { { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 },
+                    { "ITEMS", OUT, DATA8, "number of entries" } } },
+            { 14, "GET_LOG_SYNC_TIME", "Reads the time and tick to which data logs are aligned",
+                { { "TIME", OUT, DATA32, "the common time" }, { "TICK", OUT, DATA32, "the brick's tick at that time" } } },
+            { 15, "GET_SUBFOLDER_NAME", "Reads the name of one entry of a folder",
+                { { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "STRING", OUT, STRING, "its name without extension, empty if there is no such entry", length = "LENGTH" } } },
+            { 16, "WRITE_LOG", "Adds one row of samples to a data log",
+                { { "HANDLE", IN, HANDLE, "the open data log" }, { "TIME", IN, DATA32, "time of the samples since the log began", unit = "ms" },
+                    { "ITEMS", IN, DATA8, "number of samples; with 0 nothing is written", range = { 0, 127 },
+                        outside = { ", outside of 0 to 127", "OUTSIDE" } },
+                    { "VALUES", IN, DATAF, "the samples, in one array", length = "ITEMS" } } },
+            { 17, "CLOSE_LOG", "Writes the rest of a data log and closes it",
+                { { "HANDLE", IN, HANDLE, "the open data log" },
+                    { "NAME", IN, STRING, "path of the log as given to OPEN_LOG; .rdf may be omitted" } } },
+            { 18, "GET_IMAGE", "Loads an entry of a folder; LEGO's 2013 firmware has no code for it and fails",
+                { { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 },
+                    { "PRGID", IN, DATA16, "slot to load it into", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "OUTSIDE" } },
+                    { "IP", OUT, DATA32, "where it was loaded" } } },
+            { 19, "GET_ITEM", "Finds an entry of a folder by its name",
+                { { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 },
+                    { "STRING", IN, STRING, "name to look for, without extension" },
+                    { "ITEM", OUT, DATA8, "number of the entry; the first is 1", special = { [0] = "not found" }, range = { 1, 127 } } } },
+            { 20, "GET_CACHE_FILES", "Counts the recently run files", { { "ITEMS", OUT, DATA8, "number of files, at most 10" } } },
+            { 21, "PUT_CACHE_FILE", "Puts a file first in the list of recently run files", { { "STRING", IN, STRING, "path of the file" } } },
+            { 22, "GET_CACHE_FILE", "Reads the path of one recently run file",
+                { { "ITEM", IN, DATA8, "which one, 1 is the latest", range = { 1, 10 }, outside = { ", outside of 1 to 10", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "STRING", OUT, STRING, "path of the file, empty if there is none", length = "LENGTH" } } },
+            { 23, "DEL_CACHE_FILE", "Removes a file from the list of recently run files",
+                { { "STRING", IN, STRING, "path of the file, as given to PUT_CACHE_FILE" } } },
+            { 24, "DEL_SUBFOLDER", "Deletes one entry of a folder together with the files in it",
+                { { "NAME", IN, STRING, "path of the folder with its closing slash, such as ../prjs/", most = 119 },
+                    { "ITEM", IN, DATA8, "which entry of the folder, the first is 1", range = { 1, 127 },
+                        outside = { ", outside of 1 to 127", "OUTSIDE" } } } },
+            { 25, "GET_LOG_NAME", "Reads the path of the open data log",
+                { { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "NAME", OUT, STRING, "path of the log, empty if none is open", length = "LENGTH" } } },
+            { 27, "OPEN_LOG", "Creates a data log and writes its header",
+                { { "NAME", IN, STRING, "path of the log; .rdf may be omitted; with an empty one it stays in memory" },
+                    { "syncedTime", IN, DATA32, "the common time, as GET_LOG_SYNC_TIME returns it" },
+                    { "syncedTick", IN, DATA32, "the brick's tick at that time" },
+                    { "nowTick", IN, DATA32, "the brick's tick at the start of the log" },
+                    { "sample_interval_in_ms", IN, DATA32, "time between samples; fast logs are kept in memory first", unit = "ms" },
+                    { "duration_in_ms", IN, DATA32, "duration of the log", unit = "ms" },
+                    { "SDATA", IN, STRING, "text that describes the sensors, copied into the header" },
+                    { "HANDLE", OUT, HANDLE, "handle of the log" } } },
+            { 28, "READ_BYTES", "Reads raw bytes from a file",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 },
+                        outside = { " bytes, outside of 0 to 32767 bytes", "OUTSIDE" } },
+                    { "DESTINATION", OUT, DATA8, "the bytes; followed by a zero if the file ended early", length = "BYTES" } } },
+            { 29, "WRITE_BYTES", "Writes raw bytes to a file",
+                { { "HANDLE", IN, HANDLE, "the open file" },
+                    { "BYTES", IN, DATA16, "number of bytes", unit = "bytes", range = { 0, 32767 },
+                        outside = { " bytes, outside of 0 to 32767 bytes", "OUTSIDE" } },
+                    { "SOURCE", IN, DATA8, "the bytes", length = "BYTES" } } },
+            { 30, "REMOVE", "Deletes a file, or a folder with the files in it",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 } } },
+            { 31, "MOVE", "Copies a file or folder and replaces the destination; the source is kept",
+                { { "SOURCE", IN, STRING, "path to copy from" }, { "DEST", IN, STRING, "path to copy to; any existing one is deleted first" } } },
         } },
-    { 0xC1, "ARRAY", "Creates, fills, copies and resizes arrays", commands = {
-            { 0, "DELETE", "Deletes an array and frees its handle", [[ { "HANDLE", IN, HANDLE, "the array" } ]], dialects = { official = true } },
-            { 0, "DESTROY", "Deletes an array and frees its handle (LEGO's name for it is DELETE)", [[ { "HANDLE", IN, HANDLE, "the array" } ]], dialects = { xtended = true, compat = true } },
-            { 1, "CREATE8", "Creates an array of DATA8 elements", [[ { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 6000000 }, outside = { ", outside of 0 to 6000000", "OUTSIDE" } }, { "HANDLE", OUT, HANDLE, "handle of the new array" } ]] },
-            { 2, "CREATE16", "Creates an array of DATA16 elements", [[ { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 3000000 }, outside = { ", outside of 0 to 3000000", "OUTSIDE" } }, { "HANDLE", OUT, HANDLE, "handle of the new array" } ]] },
-            { 3, "CREATE32", "Creates an array of DATA32 elements", [[ { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 }, outside = { ", outside of 0 to 1500000", "OUTSIDE" } }, { "HANDLE", OUT, HANDLE, "handle of the new array" } ]] },
-            { 4, "CREATEF", "Creates an array of DATAF elements", [[ { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 }, outside = { ", outside of 0 to 1500000", "OUTSIDE" } }, { "HANDLE", OUT, HANDLE, "handle of the new array" } ]] },
-            { 5, "RESIZE", "Changes the number of elements of an array", [[ { "HANDLE", IN, HANDLE, "the array" }, { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 6000000 }, outside = { ", outside of 0 to 6000000", "OUTSIDE" } } ]] },
-            { 6, "FILL", "Sets every element of an array to one value", [[ { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } ]] },
-            { 7, "COPY", "Copies the content of one array into another of the same type, which is resized to match", [[ { "HSOURCE", IN, HANDLE, "array to copy from" }, { "HDEST", IN, HANDLE, "array to copy into, which must exist" } ]] },
-            { 8, "INIT8", "Writes several elements of a DATA8 array, all within its size", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 } ]] },
-            { 9, "INIT16", "Writes several elements of a DATA16 array, all within its size", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 } ]] },
-            { 10, "INIT32", "Writes several elements of a DATA32 array, all within its size", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 } ]] },
-            { 11, "INITF", "Writes several elements of a DATAF array, all within its size", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF } ]] },
-            { 12, "SIZE", "Counts the elements of an array", [[ { "HANDLE", IN, HANDLE, "the array" }, { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" } ]], dialects = { official = true } },
-            { 12, "SET_SIZE", "Counts the elements of an array (LEGO's name for it is SIZE)", [[ { "HANDLE", IN, HANDLE, "the array" }, { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" } ]], dialects = { xtended = true, compat = true } },
-            { 13, "READ_CONTENT", "Reads an array's content as bytes, also of another program", [[ { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" } ]] },
-            { 14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends after them", [[ { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements", range = { 0, 2147483647 }, outside = { ", outside of 0 to 2147483647", "OUTSIDE" } }, { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 }, outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } }, { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" } ]] },
-            { 15, "READ_SIZE", "Returns the size of an array's content, also of another program", [[ { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT, outside = { ", which is not in SLOT", "NO_MEMBER" } }, { "HANDLE", IN, HANDLE, "the array" }, { "BYTES", OUT, DATA32, "number of bytes, 0 if there is no such array", unit = "bytes" } ]] },
+    { 0xC1, "ARRAY", "Creates, fills, copies and resizes arrays",
+        commands = {
+            { 0, "DELETE", "Deletes an array and frees its handle", { { "HANDLE", IN, HANDLE, "the array" } }, dialects = { official = true } },
+            { 0, "DESTROY", "Deletes an array and frees its handle (LEGO's name for it is DELETE)", { { "HANDLE", IN, HANDLE, "the array" } },
+                dialects = { xtended = true, compat = true } },
+            { 1, "CREATE8", "Creates an array of DATA8 elements",
+                { { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 6000000 },
+                        outside = { ", outside of 0 to 6000000", "OUTSIDE" } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" } } },
+            { 2, "CREATE16", "Creates an array of DATA16 elements",
+                { { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 3000000 },
+                        outside = { ", outside of 0 to 3000000", "OUTSIDE" } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" } } },
+            { 3, "CREATE32", "Creates an array of DATA32 elements",
+                { { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 },
+                        outside = { ", outside of 0 to 1500000", "OUTSIDE" } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" } } },
+            { 4, "CREATEF", "Creates an array of DATAF elements",
+                { { "ELEMENTS", IN, DATA32, "initial number of elements", range = { 0, 1500000 },
+                        outside = { ", outside of 0 to 1500000", "OUTSIDE" } },
+                    { "HANDLE", OUT, HANDLE, "handle of the new array" } } },
+            { 5, "RESIZE", "Changes the number of elements of an array",
+                { { "HANDLE", IN, HANDLE, "the array" },
+                    { "ELEMENTS", IN, DATA32, "new number of elements", range = { 0, 6000000 },
+                        outside = { ", outside of 0 to 6000000", "OUTSIDE" } } } },
+            { 6, "FILL", "Sets every element of an array to one value",
+                { { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } } },
+            { 7, "COPY", "Copies the content of one array into another of the same type, which is resized to match",
+                { { "HSOURCE", IN, HANDLE, "array to copy from" }, { "HDEST", IN, HANDLE, "array to copy into, which must exist" } } },
+            { 8, "INIT8", "Writes several elements of a DATA8 array, all within its size",
+                { { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA8 } } },
+            { 9, "INIT16", "Writes several elements of a DATA16 array, all within its size",
+                { { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA16 } } },
+            { 10, "INIT32", "Writes several elements of a DATA32 array, all within its size",
+                { { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATA32 } } },
+            { 11, "INITF", "Writes several elements of a DATAF array, all within its size",
+                { { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first element to write, counted from 0", range = { 0, 5999999 },
+                        outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+                    { "ELEMENTS", IN, DATA32, "number of values that follow", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "VALUES", IN, VALUES, "the values, one parameter each", element = DATAF } } },
+            { 12, "SIZE", "Counts the elements of an array",
+                { { "HANDLE", IN, HANDLE, "the array" }, { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" } },
+                dialects = { official = true } },
+            { 12, "SET_SIZE", "Counts the elements of an array (LEGO's name for it is SIZE)",
+                { { "HANDLE", IN, HANDLE, "the array" }, { "ELEMENTS", OUT, DATA32, "number of elements, 0 if there is no such array" } },
+                dialects = { xtended = true, compat = true } },
+            { 13, "READ_CONTENT", "Reads an array's content as bytes, also of another program",
+                { { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 },
+                        outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+                    { "ARRAY", OUT, DATA8, "the bytes, zeros beyond the end of the array", length = "BYTES" } } },
+            { 14, "WRITE_CONTENT", "Writes an array's content as bytes; the array then ends after them",
+                { { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "INDEX", IN, DATA32, "first byte in the array's content, whatever its elements", range = { 0, 2147483647 },
+                        outside = { ", outside of 0 to 2147483647", "OUTSIDE" } },
+                    { "BYTES", IN, DATA32, "number of bytes", unit = "bytes", range = { 0, 2147483647 },
+                        outside = { " bytes, outside of 0 to 2147483647 bytes", "OUTSIDE" } },
+                    { "ARRAY", IN, DATA8, "the bytes", length = "BYTES" } } },
+            { 15, "READ_SIZE", "Returns the size of an array's content, also of another program",
+                { { "PRGID", IN, DATA16, "slot of the program that owns the array", enum = ENUMERATIONS.SLOT,
+                        outside = { ", which is not in SLOT", "NO_MEMBER" } },
+                    { "HANDLE", IN, HANDLE, "the array" },
+                    { "BYTES", OUT, DATA32, "number of bytes, 0 if there is no such array", unit = "bytes" } } },
         } },
-    { 0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } ]] },
-    { 0xC3, "ARRAY_READ", "Reads one element of an array", [[ { "HANDLE", IN, HANDLE, "the array" }, { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } }, { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" } ]] },
-    { 0xC4, "ARRAY_APPEND", "Adds one element to the end of an array", [[ { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } ]] },
-    { 0xC5, "MEMORY_USAGE", "Reports the total and free memory for user files", [[ { "TOTAL", OUT, DATA32, "total memory", unit = "KiB" }, { "FREE", OUT, DATA32, "free memory", unit = "KiB" } ]] },
-    { 0xC6, "FILENAME", "Splits and checks file names, and packs files", commands = {
-            { 16, "EXIST", "Reports whether a file or folder exists", [[ { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 }, { "FLAG", OUT, DATA8, "whether it exists", special = { [0] = "no", [1] = "yes" } } ]] },
-            { 17, "TOTALSIZE", "Reports the number of files in a folder and their size", [[ { "NAME", IN, STRING, "path of the folder or file" }, { "FILES", OUT, DATA32, "number of entries, including . and ..; 0 for a file" }, { "SIZE", OUT, DATA32, "size of all of them, rounded up", unit = "KiB" } ]] },
-            { 18, "SPLIT", "Splits a path into folder, name and extension", [[ { "FILENAME", IN, STRING, "the path" }, { "LENGTH", IN, DATA8, "buffer size for each of the three parts, including the zero", unit = "bytes" }, { "FOLDER", OUT, STRING, "the folder, with its closing slash on LEGO's firmware", length = "LENGTH" }, { "NAME", OUT, STRING, "the name, without folder and extension", length = "LENGTH" }, { "EXT", OUT, STRING, "the extension with its dot", length = "LENGTH" } ]] },
-            { 19, "MERGE", "Builds a path from folder, name and extension", [[ { "FOLDER", IN, STRING, "the folder, without a slash at its end" }, { "NAME", IN, STRING, "the name" }, { "EXT", IN, STRING, "the extension with its dot" }, { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" }, { "FILENAME", OUT, STRING, "the path", length = "LENGTH" } ]] },
-            { 20, "CHECK", "Reports whether a path's characters and lengths are allowed; the file need not exist", [[ { "FILENAME", IN, STRING, "the path" }, { "OK", OUT, DATA8, "whether the path can be used", special = { [0] = "not allowed", [1] = "allowed" } } ]] },
-            { 21, "PACK", "Packs a file or folder into a .raf archive beside it", [[ { "FILENAME", IN, STRING, "path of the file or folder" } ]] },
-            { 22, "UNPACK", "Unpacks a .raf archive into the folder it is in", [[ { "FILENAME", IN, STRING, "path of the archive; its extension is replaced by .raf" } ]] },
-            { 23, "GET_FOLDERNAME", "Reads the path of the program's own folder", [[ { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" }, { "FOLDERNAME", OUT, STRING, "path of the folder, without a slash at its end", length = "LENGTH" } ]] },
+    { 0xC2, "ARRAY_WRITE", "Writes one element of an array, which grows where needed",
+        { { "HANDLE", IN, HANDLE, "the array" },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+            { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } } },
+    { 0xC3, "ARRAY_READ", "Reads one element of an array",
+        { { "HANDLE", IN, HANDLE, "the array" },
+            { "INDEX", IN, DATA32, "which element, the first is 0", range = { 0, 5999999 }, outside = { ", outside of 0 to 5999999", "OUTSIDE" } },
+            { "VALUE", OUT, ARRAY_TYPED, "the value, of the array's type" } } },
+    { 0xC4, "ARRAY_APPEND", "Adds one element to the end of an array",
+        { { "HANDLE", IN, HANDLE, "the array" }, { "VALUE", IN, ARRAY_TYPED, "the value, of the array's type" } } },
+    { 0xC5, "MEMORY_USAGE", "Reports the total and free memory for user files",
+        { { "TOTAL", OUT, DATA32, "total memory", unit = "KiB" }, { "FREE", OUT, DATA32, "free memory", unit = "KiB" } } },
+    { 0xC6, "FILENAME", "Splits and checks file names, and packs files",
+        commands = {
+            { 16, "EXIST", "Reports whether a file or folder exists",
+                { { "NAME", IN, STRING, "path of the file; a bare name is taken from the program's own folder", most = 119 },
+                    { "FLAG", OUT, DATA8, "whether it exists", special = { [0] = "no", [1] = "yes" } } } },
+            { 17, "TOTALSIZE", "Reports the number of files in a folder and their size",
+                { { "NAME", IN, STRING, "path of the folder or file" },
+                    { "FILES", OUT, DATA32, "number of entries, including . and ..; 0 for a file" },
+                    { "SIZE", OUT, DATA32, "size of all of them, rounded up", unit = "KiB" } } },
+            { 18, "SPLIT", "Splits a path into folder, name and extension",
+                { { "FILENAME", IN, STRING, "the path" },
+                    { "LENGTH", IN, DATA8, "buffer size for each of the three parts, including the zero", unit = "bytes" },
+                    { "FOLDER", OUT, STRING, "the folder, with its closing slash on LEGO's firmware", length = "LENGTH" },
+                    { "NAME", OUT, STRING, "the name, without folder and extension", length = "LENGTH" },
+                    { "EXT", OUT, STRING, "the extension with its dot", length = "LENGTH" } } },
+            { 19, "MERGE", "Builds a path from folder, name and extension",
+                { { "FOLDER", IN, STRING, "the folder, without a slash at its end" }, { "NAME", IN, STRING, "the name" },
+                    { "EXT", IN, STRING, "the extension with its dot" },
+                    { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "FILENAME", OUT, STRING, "the path", length = "LENGTH" } } },
+            { 20, "CHECK", "Reports whether a path's characters and lengths are allowed; the file need not exist",
+                { { "FILENAME", IN, STRING, "the path" },
+                    { "OK", OUT, DATA8, "whether the path can be used", special = { [0] = "not allowed", [1] = "allowed" } } } },
+            { 21, "PACK", "Packs a file or folder into a .raf archive beside it", { { "FILENAME", IN, STRING, "path of the file or folder" } } },
+            { 22, "UNPACK", "Unpacks a .raf archive into the folder it is in",
+                { { "FILENAME", IN, STRING, "path of the archive; its extension is replaced by .raf" } } },
+            { 23, "GET_FOLDERNAME", "Reads the path of the program's own folder",
+                { { "LENGTH", IN, DATA8, "size of the string's buffer, including the zero", unit = "bytes" },
+                    { "FOLDERNAME", OUT, STRING, "path of the folder, without a slash at its end", length = "LENGTH" } } },
         } },
-    { 0xE6, "FILE_MD5SUM", "Computes the MD5 digest of a file", [[ { "NAME", IN, STRING, "path of the file" }, { "MD5SUM", OUT, DATA8, "the digest, as 16 bytes", length = 16 }, { "SUCCESS", OUT, DATA8, "whether the file could be read", special = { [0] = "no", [1] = "yes" } } ]], dialects = { xtended = true, compat = true } },
-    { 0x91, "COM_READ", "Fetches direct commands, for the brick's own command program", commands = {
-            { 14, "COMMAND", "Returns the address of the last direct command received", [[ { "LENGTH", IN, DATA32, "maximum number of bytes of code, ignored by the firmware", unit = "bytes" }, { "IMAGE", OUT, DATA32, "address of the code" }, { "GLOBAL", OUT, DATA32, "address of its global memory" }, { "FLAG", OUT, DATA8, "whether one is waiting", special = { [0] = "none", [1] = "ready to run" }, range = { 0, 1 } } ]] },
+    { 0xE6, "FILE_MD5SUM", "Computes the MD5 digest of a file",
+        { { "NAME", IN, STRING, "path of the file" }, { "MD5SUM", OUT, DATA8, "the digest, as 16 bytes", length = 16 },
+            { "SUCCESS", OUT, DATA8, "whether the file could be read", special = { [0] = "no", [1] = "yes" } } },
+        dialects = { xtended = true, compat = true } },
+    { 0x91, "COM_READ", "Fetches direct commands, for the brick's own command program",
+        commands = {
+            { 14, "COMMAND", "Returns the address of the last direct command received",
+                { { "LENGTH", IN, DATA32, "maximum number of bytes of code, ignored by the firmware", unit = "bytes" },
+                    { "IMAGE", OUT, DATA32, "address of the code" }, { "GLOBAL", OUT, DATA32, "address of its global memory" },
+                    { "FLAG", OUT, DATA8, "whether one is waiting", special = { [0] = "none", [1] = "ready to run" }, range = { 0, 1 } } } },
         } },
-    { 0x92, "COM_WRITE", "Answers direct commands, for the brick's own command program", commands = {
-            { 14, "REPLY", "Sends the global memory of a direct command that has run as its reply", [[ { "IMAGE", IN, DATA32, "address of the code" }, { "GLOBAL", IN, DATA32, "address of its global memory" }, { "STATUS", IN, DATA8, "how it ended; all but OK give DIRECT_REPLY_ERROR", enum = ENUMERATIONS.RESULT, outside = { ", which is not in RESULT", "NO_MEMBER" } } ]] },
+    { 0x92, "COM_WRITE", "Answers direct commands, for the brick's own command program",
+        commands = {
+            { 14, "REPLY", "Sends the global memory of a direct command that has run as its reply",
+                { { "IMAGE", IN, DATA32, "address of the code" }, { "GLOBAL", IN, DATA32, "address of its global memory" },
+                    { "STATUS", IN, DATA8, "how it ended; all but OK give DIRECT_REPLY_ERROR", enum = ENUMERATIONS.RESULT,
+                        outside = { ", which is not in RESULT", "NO_MEMBER" } } } },
         } },
-    { 0xD0, "COM_READY", "Waits until nothing is being sent to a device", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" } ]] },
-    { 0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data", [[ { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "VALUE2", IN, DATA8, "name of the other device, ignored" }, { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" }, { "VALUE4", IN, DATA8, "the bytes, ignored" } ]] },
-    { 0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data", [[ { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "VALUE2", IN, DATA8, "name of the other device, ignored" }, { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" }, { "VALUE4", IN, DATA8, "the bytes, ignored" } ]] },
-    { 0xD3, "COM_GET", "Asks about the brick's connections and the devices around it", commands = {
-            { 1, "GET_ON_OFF", "Reports whether Bluetooth or WiFi is on", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } } ]] },
-            { 2, "GET_VISIBLE", "Reports whether other devices can see the brick by Bluetooth", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 }, is_ranged = true, outside = { ", outside of 1 to 3", "OUTSIDE" } }, { "VISIBLE", OUT, DATA8, "whether it is visible", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 4, "GET_RESULT", "Reports the state of a search or connection request", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" }, { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT } ]] },
-            { 5, "GET_PIN", "Reads the PIN for a device, always 1234", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "NAME", IN, STRING, "name of the other device or network" }, { "LENGTH", IN, DATA8, "size of the PIN's buffer, including the zero", unit = "bytes" }, { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" } ]] },
-            { 7, "LIST_STATE", "Reads a counter that changes when a device enters or leaves a list", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "STATE", OUT, DATA16, "number to compare with the one of the last call" } ]], dialects = { compat = true } },
-            { 8, "SEARCH_ITEMS", "Counts the devices or networks that a search found", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "ITEMS", OUT, DATA8, "number of entries in the list" } ]] },
-            { 9, "SEARCH_ITEM", "Describes one device or network that a search found", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" }, { "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } }, { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } }, { "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE, special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" } }, { "VISIBLE", OUT, DATA8, "whether it is in range", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 10, "FAVOUR_ITEMS", "Counts the paired devices, in range or not", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "ITEMS", OUT, DATA8, "number of entries in the list" } ]] },
-            { 11, "FAVOUR_ITEM", "Describes one paired device or known network", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" }, { "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } }, { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } }, { "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE, special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" } } ]] },
-            { 12, "GET_ID", "Reads the brick's Bluetooth address", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "STRING", OUT, STRING, "12 hex digits", length = "LENGTH" } ]] },
-            { 13, "GET_BRICKNAME", "Reads the brick's name", [[ { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the brick", length = "LENGTH" } ]] },
-            { 14, "GET_NETWORK", "Reads network name and addresses, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "LENGTH", IN, DATA8, "buffer size for each of the three texts, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the network, NONE without one", length = "LENGTH" }, { "MAC", OUT, STRING, "MAC address of the brick, ?? when WiFi is off", length = "LENGTH", most = 17 }, { "IP", OUT, STRING, "IP address of the brick, ?? when not connected", length = "LENGTH", most = 15 } ]] },
-            { 15, "GET_PRESENT", "Reports whether the hardware is present (for WiFi: a known dongle)", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "OK", OUT, DATA8, "whether it is present", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } ]] },
-            { 16, "GET_ENCRYPT", "Reports the encryption of a network, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true, outside = { ", outside of 3 to 3", "OUTSIDE" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" }, { "TYPE", OUT, DATA8, "kind of encryption; always none in the 2013 firmware", enum = ENUMERATIONS.ENCRYPT } ]] },
-            { 17, "CONNEC_ITEMS", "Counts the connected devices, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 }, is_ranged = true, outside = { ", outside of 1 to 3", "OUTSIDE" } }, { "ITEMS", OUT, DATA8, "number of entries in the list" } ]] },
-            { 18, "CONNEC_ITEM", "Describes one connected device, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the device", length = "LENGTH" }, { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE } ]] },
-            { 19, "GET_INCOMING", "Reports which device asks for a connection, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes", special = { [-1] = "unlimited (handles only)" } }, { "NAME", OUT, STRING, "name of the device", length = "LENGTH" }, { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE } ]] },
-            { 20, "GET_MODE2", "Reports whether Bluetooth is in its mode for Apple devices", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } } ]] },
+    { 0xD0, "COM_READY", "Waits until nothing is being sent to a device",
+        { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" } } },
+    { 0xD1, "COM_READDATA", "Does nothing in the firmware; meant to receive data",
+        { { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "VALUE2", IN, DATA8, "name of the other device, ignored" }, { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
+            { "VALUE4", IN, DATA8, "the bytes, ignored" } } },
+    { 0xD2, "COM_WRITEDATA", "Does nothing in the firmware; meant to send data",
+        { { "VALUE1", IN, DATA8, "carrier, ignored", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "VALUE2", IN, DATA8, "name of the other device, ignored" }, { "VALUE3", IN, DATA16, "number of bytes, ignored", unit = "bytes" },
+            { "VALUE4", IN, DATA8, "the bytes, ignored" } } },
+    { 0xD3, "COM_GET", "Asks about the brick's connections and the devices around it",
+        commands = {
+            { 1, "GET_ON_OFF", "Reports whether Bluetooth or WiFi is on",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } } } },
+            { 2, "GET_VISIBLE", "Reports whether other devices can see the brick by Bluetooth",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 }, is_ranged = true,
+                        outside = { ", outside of 1 to 3", "OUTSIDE" } },
+                    { "VISIBLE", OUT, DATA8, "whether it is visible", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 4, "GET_RESULT", "Reports the state of a search or connection request",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "ITEM", IN, DATA8, "place in the list, ignored by the firmware" },
+                    { "RESULT", OUT, DATA8, "state of the request", enum = ENUMERATIONS.RESULT } } },
+            { 5, "GET_PIN", "Reads the PIN for a device, always 1234",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "NAME", IN, STRING, "name of the other device or network" },
+                    { "LENGTH", IN, DATA8, "size of the PIN's buffer, including the zero", unit = "bytes" },
+                    { "PINCODE", OUT, STRING, "the PIN", length = "LENGTH" } } },
+            { 7, "LIST_STATE", "Reads a counter that changes when a device enters or leaves a list",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "STATE", OUT, DATA16, "number to compare with the one of the last call" } },
+                dialects = { compat = true } },
+            { 8, "SEARCH_ITEMS", "Counts the devices or networks that a search found",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" } } },
+            { 9, "SEARCH_ITEM", "Describes one device or network that a search found",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
+                    { "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)", special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 } },
+                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } },
+                    { "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE,
+                        special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" } },
+                    { "VISIBLE", OUT, DATA8, "whether it is in range", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 10, "FAVOUR_ITEMS", "Counts the paired devices, in range or not",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" } } },
+            { 11, "FAVOUR_ITEM", "Describes one paired device or known network",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the other device or network", length = "LENGTH" },
+                    { "PAIRED", OUT, DATA8, "whether it is paired (Bluetooth) or known (WiFi)", special = { [0] = "no", [1] = "yes" },
+                        range = { 0, 1 } },
+                    { "CONNECTED", OUT, DATA8, "whether it is connected", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } },
+                    { "TYPE", OUT, DATA8, "kind of device (Bluetooth) or encryption (WiFi)", enum = ENUMERATIONS.BTTYPE,
+                        special = { [0] = "WiFi, not encrypted", [1] = "WiFi, WPA2" } } } },
+            { 12, "GET_ID", "Reads the brick's Bluetooth address",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "STRING", OUT, STRING, "12 hex digits", length = "LENGTH" } } },
+            { 13, "GET_BRICKNAME", "Reads the brick's name",
+                { { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the brick", length = "LENGTH" } } },
+            { 14, "GET_NETWORK", "Reads network name and addresses, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "LENGTH", IN, DATA8, "buffer size for each of the three texts, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the network, NONE without one", length = "LENGTH" },
+                    { "MAC", OUT, STRING, "MAC address of the brick, ?? when WiFi is off", length = "LENGTH", most = 17 },
+                    { "IP", OUT, STRING, "IP address of the brick, ?? when not connected", length = "LENGTH", most = 15 } } },
+            { 15, "GET_PRESENT", "Reports whether the hardware is present (for WiFi: a known dongle)",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "OK", OUT, DATA8, "whether it is present", special = { [0] = "no", [1] = "yes" }, range = { 0, 1 } } } },
+            { 16, "GET_ENCRYPT", "Reports the encryption of a network, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true,
+                        outside = { ", outside of 3 to 3", "OUTSIDE" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    { "TYPE", OUT, DATA8, "kind of encryption; always none in the 2013 firmware", enum = ENUMERATIONS.ENCRYPT } } },
+            { 17, "CONNEC_ITEMS", "Counts the connected devices, Bluetooth only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 1, 3 }, is_ranged = true,
+                        outside = { ", outside of 1 to 3", "OUTSIDE" } },
+                    { "ITEMS", OUT, DATA8, "number of entries in the list" } } },
+            { 18, "CONNEC_ITEM", "Describes one connected device, Bluetooth only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
+                    { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE } } },
+            { 19, "GET_INCOMING", "Reports which device asks for a connection, Bluetooth only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "LENGTH", IN, DATA8, "size of the text buffer, including the zero", unit = "bytes",
+                        special = { [-1] = "unlimited (handles only)" } },
+                    { "NAME", OUT, STRING, "name of the device", length = "LENGTH" },
+                    { "TYPE", OUT, DATA8, "kind of device", enum = ENUMERATIONS.BTTYPE } } },
+            { 20, "GET_MODE2", "Reports whether Bluetooth is in its mode for Apple devices",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "ACTIVE", OUT, DATA8, "whether it is on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 } } } },
         } },
-    { 0xD4, "COM_SET", "Changes the brick's name, its connections and its lists of devices", commands = {
-            { 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 2, "SET_VISIBLE", "Makes the brick visible or invisible, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "VISIBLE", IN, DATA8, "whether other devices can see it", special = { [0] = "invisible", [1] = "visible" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 3, "SET_SEARCH", "Starts or stops the search for devices or networks", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "SEARCH", IN, DATA8, "whether to search", special = { [0] = "stop (Bluetooth only)", [1] = "start" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "NAME", IN, STRING, "name of the other device or network" }, { "PINCODE", IN, STRING, "PIN or password" } ]] },
-            { 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "ACCEPT", IN, DATA8, "the answer", special = { [0] = "reject", [1] = "accept" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true, outside = { ", outside of 2 to 3", "OUTSIDE" } }, { "NAME", IN, STRING, "name of the other device or network" }, { "CONNECTION", IN, DATA8, "what to do", special = { [0] = "disconnect", [1] = "connect" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
-            { 8, "SET_BRICKNAME", "Renames the brick", [[ { "NAME", IN, STRING, "new name, at most 118 characters, else refused", most = 118 } ]] },
-            { 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true, outside = { ", outside of 3 to 3", "OUTSIDE" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" } ]] },
-            { 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true, outside = { ", outside of 3 to 3", "OUTSIDE" } }, { "ITEM", IN, DATA8, "place in the list, counted from 0" } ]] },
-            { 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true, outside = { ", outside of 3 to 3", "OUTSIDE" } }, { "ITEM", IN, STRING, "name of the network" }, { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT, outside = { ", which is not in ENCRYPT", "NO_MEMBER" } } ]] },
-            { 12, "SET_SSID", "Adds a network to the end of the list, WiFi only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true, outside = { ", outside of 3 to 3", "OUTSIDE" } }, { "NAME", IN, STRING, "name of the network" } ]] },
-            { 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true, outside = { ", outside of 2 to 2", "OUTSIDE" } }, { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } ]] },
+    { 0xD4, "COM_SET", "Changes the brick's name, its connections and its lists of devices",
+        commands = {
+            { 1, "SET_ON_OFF", "Switches Bluetooth or WiFi on or off",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 2, "SET_VISIBLE", "Makes the brick visible or invisible, Bluetooth only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+                    { "VISIBLE", IN, DATA8, "whether other devices can see it", special = { [0] = "invisible", [1] = "visible" },
+                        range = { 0, 1 }, outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 3, "SET_SEARCH", "Starts or stops the search for devices or networks",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "SEARCH", IN, DATA8, "whether to search", special = { [0] = "stop (Bluetooth only)", [1] = "start" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 5, "SET_PIN", "Answers the request for a PIN (Bluetooth) or stores a network's password (WiFi)",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "name of the other device or network" }, { "PINCODE", IN, STRING, "PIN or password" } } },
+            { 6, "SET_PASSKEY", "Answers the request to confirm a passkey, Bluetooth only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "ACCEPT", IN, DATA8, "the answer", special = { [0] = "reject", [1] = "accept" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 7, "SET_CONNECTION", "Connects a device or network, or ends a Bluetooth connection",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 3 }, is_ranged = true,
+                        outside = { ", outside of 2 to 3", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "name of the other device or network" },
+                    { "CONNECTION", IN, DATA8, "what to do", special = { [0] = "disconnect", [1] = "connect" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
+            { 8, "SET_BRICKNAME", "Renames the brick", { { "NAME", IN, STRING, "new name, at most 118 characters, else refused", most = 118 } } },
+            { 9, "SET_MOVEUP", "Moves a network up in the list, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true,
+                        outside = { ", outside of 3 to 3", "OUTSIDE" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" } } },
+            { 10, "SET_MOVEDOWN", "Moves a network down in the list, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true,
+                        outside = { ", outside of 3 to 3", "OUTSIDE" } },
+                    { "ITEM", IN, DATA8, "place in the list, counted from 0" } } },
+            { 11, "SET_ENCRYPT", "Sets the encryption of a network, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true,
+                        outside = { ", outside of 3 to 3", "OUTSIDE" } },
+                    { "ITEM", IN, STRING, "name of the network" },
+                    { "ENCRYPT", IN, DATA8, "kind of encryption", enum = ENUMERATIONS.ENCRYPT,
+                        outside = { ", which is not in ENCRYPT", "NO_MEMBER" } } } },
+            { 12, "SET_SSID", "Adds a network to the end of the list, WiFi only",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 3, 3 }, is_ranged = true,
+                        outside = { ", outside of 3 to 3", "OUTSIDE" } },
+                    { "NAME", IN, STRING, "name of the network" } } },
+            { 13, "SET_MODE2", "Switches the Bluetooth mode for Apple devices on or off",
+                { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, range = { 2, 2 }, is_ranged = true,
+                        outside = { ", outside of 2 to 2", "OUTSIDE" } },
+                    { "ACTIVE", IN, DATA8, "whether to switch it on", special = { [0] = "off", [1] = "on" }, range = { 0, 1 },
+                        outside = { ", outside of 0 to 1", "OUTSIDE" } } } },
         } },
-    { 0xD5, "COM_TEST", "Reports whether something is still being sent to a device", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" }, { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } ]] },
-    { 0xD6, "COM_REMOVE", "Forgets a paired device or a known network", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "REMOTE_NAME", IN, STRING, "name of the other device or network" } ]] },
-    { 0xD7, "COM_WRITEFILE", "Sends a file or a folder to another brick, Bluetooth only", [[ { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "REMOTE_NAME", IN, STRING, "name of the other device or network" }, { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" }, { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE, outside = { ", which is not in FILETYPE", "NO_MEMBER" } } ]] },
-    { 0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } }, { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters", most = 49 }, { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT, outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } }, { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" }, { "VALUES", IN, DATA8, "number of values, ignored by the firmware" } ]] },
-    { 0xD9, "MAILBOX_WRITE", "Sends values to a mailbox of another brick, Bluetooth only", [[ { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" }, { "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE, special = { [0] = "as compilers write" }, outside = { ", which is not in HWTYPE", "NO_MEMBER" } }, { "BOXNAME", IN, STRING, "name of the mailbox" }, { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT, outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } }, { "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string", element = "TYPE", elements = IN } ]] },
-    { 0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } }, { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" }, { "VALUES", IN, COUNT, "number of values that follow, in the type of MAILBOX_OPEN", element = ARRAY_TYPED, elements = OUT } ]] },
-    { 0xDB, "MAILBOX_TEST", "Reports whether a mailbox has an unread message", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } }, { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "a new message is there", [1] = "nothing new" }, range = { 0, 1 } } ]] },
-    { 0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } } ]] },
-    { 0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } } ]] },
-    { 0xE5, "MAILBOX_SIZE", "Returns the size of a mailbox's content", [[ { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } }, { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" } ]], dialects = { xtended = true, compat = true } },
+    { 0xD5, "COM_TEST", "Reports whether something is still being sent to a device",
+        { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "NAME", IN, STRING, "name of the other device, empty: the brick's own adapter" },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "ready", [1] = "busy" }, range = { 0, 1 } } } },
+    { 0xD6, "COM_REMOVE", "Forgets a paired device or a known network",
+        { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "REMOTE_NAME", IN, STRING, "name of the other device or network" } } },
+    { 0xD7, "COM_WRITEFILE", "Sends a file or a folder to another brick, Bluetooth only",
+        { { "HARDWARE", IN, DATA8, "carrier to use", enum = ENUMERATIONS.HWTYPE, outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "REMOTE_NAME", IN, STRING, "name of the other device or network" },
+            { "FILE_NAME", IN, STRING, "path of the file or folder on this brick" },
+            { "FILE_TYPE", IN, DATA8, "TYPE_FOLDER for a folder, else a file", enum = ENUMERATIONS.FILETYPE,
+                outside = { ", which is not in FILETYPE", "NO_MEMBER" } } } },
+    { 0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
+            { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters", most = 49 },
+            { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
+            { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
+            { "VALUES", IN, DATA8, "number of values, ignored by the firmware" } } },
+    { 0xD9, "MAILBOX_WRITE", "Sends values to a mailbox of another brick, Bluetooth only",
+        { { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
+            { "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE, special = { [0] = "as compilers write" },
+                outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
+            { "BOXNAME", IN, STRING, "name of the mailbox" },
+            { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT,
+                outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
+            { "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string", element = "TYPE", elements = IN } } },
+    { 0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
+            { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" },
+            { "VALUES", IN, COUNT, "number of values that follow, in the type of MAILBOX_OPEN", element = ARRAY_TYPED, elements = OUT } } },
+    { 0xDB, "MAILBOX_TEST", "Reports whether a mailbox has an unread message",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
+            { "BUSY", OUT, DATA8, "whether to wait", special = { [0] = "a new message is there", [1] = "nothing new" }, range = { 0, 1 } } } },
+    { 0xDC, "MAILBOX_READY", "Waits for an unread message in a mailbox",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } } } },
+    { 0xDD, "MAILBOX_CLOSE", "Closes a mailbox on this brick",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } } } },
+    { 0xE5, "MAILBOX_SIZE", "Returns the size of a mailbox's content",
+        { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
+            { "SIZE", OUT, DATA8, "size of the content", unit = "bytes" } },
+        dialects = { xtended = true, compat = true } },
 }
 for _, row in ipairs(OPERATIONS) do
     NAMES.opcodes[row[1]] = NAMES.opcodes[row[1]] or row[2]
@@ -700,78 +2344,187 @@ local READINGS = {
     [1] = { [0] = { { "pressed" } }, [1] = { { "bumps" }, agrees = true } },
     [2] = { [0] = { { "reflected light", "%" } }, [1] = { { "ambient light", "%" } } },
     [3] = { [0] = { { "loudness", "%" } }, [1] = { { "loudness", "%" } } },
-    [4] = { [0] = { { "reflected light", "%" } }, [1] = { { "ambient light", "%" } }, [2] = { { "colour" }, agrees = true }, [3] = { { "reflected light", "%" } }, [4] = { { "reflected light", "%" } }, [5] = { { "red" }, { "green" }, { "blue" }, { "ambient light" }, agrees = true } },
+    [4] = { [0] = { { "reflected light", "%" } }, [1] = { { "ambient light", "%" } }, [2] = { { "colour" }, agrees = true },
+        [3] = { { "reflected light", "%" } }, [4] = { { "reflected light", "%" } },
+        [5] = { { "red" }, { "green" }, { "blue" }, { "ambient light" }, agrees = true } },
     [5] = { [0] = { { "distance", "cm" }, agrees = true }, [1] = { { "distance", "inches" } } },
     [6] = { [0] = { { "temperature", "°C" } }, [1] = { { "temperature", "°F" } } },
     [7] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "angle", "rotations" } }, [2] = { { "speed", "%" }, agrees = true } },
     [8] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "angle", "rotations" } }, [2] = { { "speed", "%" }, agrees = true } },
     [16] = { [0] = { { "pressed" } }, [1] = { { "bumps" }, agrees = true } },
-    [29] = { [0] = { { "reflected light", "%" }, agrees = true }, [1] = { { "ambient light", "%" }, agrees = true }, [2] = { { "colour" }, agrees = true }, [4] = { { "red" }, { "green" }, { "blue" }, agrees = true } },
-    [30] = { [0] = { { "distance", "cm" } }, [1] = { { "distance", "inches" } }, [2] = { { "other sensor heard" }, agrees = true }, [3] = { { "distance", "cm" } }, [4] = { { "distance", "inches" } }, [5] = { { "distance", "cm" } }, [6] = { { "distance", "inches" } } },
-    [32] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "rate", "degrees/s" }, agrees = true }, [3] = { { "angle", "degrees" }, { "rate", "degrees/s" }, agrees = true } },
-    [33] = { [0] = { { "distance", "%" }, agrees = true }, [1] = { { "heading on channel 1" }, { "distance on channel 1", "%" }, { "heading on channel 2" }, { "distance on channel 2", "%" }, { "heading on channel 3" }, { "distance on channel 3", "%" }, { "heading on channel 4" }, { "distance on channel 4", "%" }, agrees = true }, [2] = { { "buttons on channel 1" }, { "buttons on channel 2" }, { "buttons on channel 3" }, { "buttons on channel 4" }, agrees = true }, [3] = { { "buttons" }, agrees = true } },
-    [99] = { [0] = { { "input voltage", "V" } }, [1] = { { "input current", "A" } }, [2] = { { "output voltage", "V" } }, [3] = { { "output current", "A" } }, [4] = { { "energy", "J" }, agrees = true }, [5] = { { "input power", "W" } }, [6] = { { "output power", "W" } }, [7] = { { "input voltage", "V" }, { "input current", "A" }, { "output voltage", "V" }, { "output current", "A" }, { "energy", "J" }, { "input power", "W" }, { "output power", "W" } } },
+    [29] = { [0] = { { "reflected light", "%" }, agrees = true }, [1] = { { "ambient light", "%" }, agrees = true },
+        [2] = { { "colour" }, agrees = true }, [4] = { { "red" }, { "green" }, { "blue" }, agrees = true } },
+    [30] = { [0] = { { "distance", "cm" } }, [1] = { { "distance", "inches" } }, [2] = { { "other sensor heard" }, agrees = true },
+        [3] = { { "distance", "cm" } }, [4] = { { "distance", "inches" } }, [5] = { { "distance", "cm" } },
+        [6] = { { "distance", "inches" } } },
+    [32] = { [0] = { { "angle", "degrees" }, agrees = true }, [1] = { { "rate", "degrees/s" }, agrees = true },
+        [3] = { { "angle", "degrees" }, { "rate", "degrees/s" }, agrees = true } },
+    [33] = { [0] = { { "distance", "%" }, agrees = true },
+        [1] = { { "heading on channel 1" }, { "distance on channel 1", "%" }, { "heading on channel 2" }, { "distance on channel 2", "%" },
+            { "heading on channel 3" }, { "distance on channel 3", "%" }, { "heading on channel 4" }, { "distance on channel 4", "%" },
+            agrees = true },
+        [2] = { { "buttons on channel 1" }, { "buttons on channel 2" }, { "buttons on channel 3" }, { "buttons on channel 4" }, agrees = true },
+        [3] = { { "buttons" }, agrees = true } },
+    [99] = { [0] = { { "input voltage", "V" } }, [1] = { { "input current", "A" } }, [2] = { { "output voltage", "V" } },
+        [3] = { { "output current", "A" } }, [4] = { { "energy", "J" }, agrees = true }, [5] = { { "input power", "W" } },
+        [6] = { { "output power", "W" } },
+        [7] = { { "input voltage", "V" }, { "input current", "A" }, { "output voltage", "V" }, { "output current", "A" }, { "energy", "J" },
+            { "input power", "W" }, { "output power", "W" } } },
 }
 
 -- System commands ----------------------------------------------------------------------------------------------------
 --
--- Number, name, description; request and reply have fields: name, kind, filter name, label; statuses are the
--- meanings of those other than SUCCESS.
+-- Request and reply have fields; statuses are the meanings of those other than SUCCESS.
 
 local SYSTEM = {
-    { 0x92, "BEGIN_DOWNLOAD", "Opens a file on the brick for writing and announces its size", request = { { "size", U32, "file_len", "Size" }, { "path", TEXT, "file_name", "Path" }, { "data", BYTES, "data", "Data", optional = true } }, reply = { { "handle", U8, "handle", "Handle" } }, transfer = "begin", is_long = true, statuses = { [8] = "the file is complete: its size is 0, or this frame held all of it", [1] = "the file cannot be created: it is a folder, or the file system refuses the name", [9] = "there is not enough room for a file of that size, or the frame had more data than announced", [4] = "all handles are in use: earlier files were neither completed nor closed" } },
-    { 0x93, "CONTINUE_DOWNLOAD", "Writes the next piece of a file; the file closes itself when it is complete", request = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } }, reply = { { "handle", U8, "handle", "Handle" } }, transfer = "continue", is_long = true, statuses = { [8] = "the file is now complete and closed; bytes beyond its size are dropped", [1] = "no file is open under that handle: it is complete, closed, or was never opened", [10] = "the handle is known, but its file is not open" } },
-    { 0x94, "BEGIN_UPLOAD", "Opens a file on the brick for reading and fetches its first piece", request = { { "max_bytes", U16, "max_bytes", "Max bytes" }, { "path", TEXT, "file_name", "Path" } }, reply = { { "size", U32, "file_len", "Size" }, { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } }, transfer = "begin", statuses = { [8] = "this reply holds the whole file", [1] = "no such file", [4] = "all handles are in use" } },
-    { 0x95, "CONTINUE_UPLOAD", "Fetches the next piece of a file", request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } }, reply = { { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } }, transfer = "continue", statuses = { [8] = "that was the last piece of the file", [2] = "the handle is known, but its file is not open", [1] = "no file is open under that handle" } },
-    { 0x96, "BEGIN_GETFILE", "Opens a file that may still be growing, such as a data log, and fetches its first piece", request = { { "max_bytes", U16, "max_bytes", "Max bytes" }, { "path", TEXT, "file_name", "Path" } }, reply = { { "size", U32, "file_len", "Size" }, { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } }, transfer = "begin", statuses = { [8] = "this reply holds all that the file has so far", [2] = "no such file", [1] = "all handles are in use" } },
-    { 0x97, "CONTINUE_GETFILE", "Fetches the next piece of a file that may still be growing", request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } }, reply = { { "size", U32, "file_len", "Size" }, { "handle", U8, "handle", "Handle" }, { "data", BYTES, "data", "Data" } }, transfer = "continue", statuses = { [8] = "that was the last of what the file has so far", [2] = "the handle is known, but its file is not open", [1] = "no file is open under that handle" } },
-    { 0x98, "CLOSE_FILEHANDLE", "Closes an open file before its end", request = { { "handle", U8, "handle", "Handle" }, { "hash", BYTES, "hash", "Hash", optional = true } }, reply = { { "handle", U8, "handle", "Handle", optional = true } }, transfer = "close", statuses = { [1] = "no file is open under that handle" } },
-    { 0x99, "LIST_FILES", "Lists a folder and fetches the first piece of the listing", request = { { "max_bytes", U16, "max_bytes", "Max bytes" }, { "path", TEXT, "path_name", "Path" } }, reply = { { "list_size", U32, "list_size", "List size" }, { "handle", U8, "handle", "Handle" }, { "list", LISTING, "list", "List" } }, transfer = "begin", statuses = { [8] = "this reply holds the whole listing", [10] = "no such folder, or no free handle" } },
-    { 0x9A, "CONTINUE_LIST_FILES", "Fetches the next piece of a listing", request = { { "handle", U8, "handle", "Handle" }, { "max_bytes", U16, "max_bytes", "Max bytes" } }, reply = { { "handle", U8, "handle", "Handle" }, { "list", LISTING, "list", "List" } }, transfer = "continue", statuses = { [8] = "that was the last piece of the listing", [10] = "the handle holds no listing" } },
-    { 0x9B, "CREATE_DIR", "Creates a folder", request = { { "path", TEXT, "path_name", "Path" } }, statuses = { [5] = "it cannot be created: it exists, its parent does not, or permission is denied" } },
-    { 0x9C, "DELETE_FILE", "Deletes a file or an empty folder", request = { { "path", TEXT, "path_name", "Path" } }, statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or permission is denied" } },
-    { 0x9D, "LIST_OPEN_HANDLES", "Asks which file handles are in use", reply = { { "handles", BYTES, "handles", "Handles" } } },
-    { 0x9E, "WRITEMAILBOX", "Puts a message into a mailbox of the program that runs on the brick", request = { { "name_length", U8, "mailbox_length", "Name length", counts = "name" }, { "name", COUNTED_TEXT, "mailbox", "Name" }, { "payload_length", U16, "payload_length", "Payload length", counts = "payload" }, { "payload", BYTES, "payload", "Payload", is_message = true } } },
-    { 0x9F, "BLUETOOTHPIN", "Sends the PIN for a Bluetooth device (USB only)", request = { { "mac_length", U8, "mac_length", "Mac length", counts = "mac" }, { "mac", COUNTED_TEXT, "mac", "Mac" }, { "pin_length", U8, "pin_length", "Pin length", counts = "pin" }, { "pin", COUNTED_TEXT, "pin", "Pin" } }, reply = { { "mac_length", U8, "mac_length", "Mac length", counts = "mac" }, { "mac", COUNTED_TEXT, "mac", "Mac" }, { "pin_length", U8, "pin_length", "Pin length", counts = "pin" }, { "pin", COUNTED_TEXT, "pin", "Pin" } }, statuses = { [12] = "this works by USB only" } },
-    { 0xA0, "ENTERFWUPDATE", "Restarts the brick into its firmware updater" },
-    { 0xA1, "SETBUNDLEID", "Sets the bundle identifier that the brick shows to Apple devices", request = { { "id", TEXT, "id", "Id" } } },
-    { 0xA2, "SETBUNDLESEEDID", "Sets the bundle seed identifier that the brick shows to Apple devices", request = { { "id", TEXT, "id", "Id" } } },
-    { 0xF0, "BEGIN_DOWNLOAD_WITH_ERASE", "Erases a region of the flash memory and prepares to write it", request = { { "address", U32, "address", "Address", hexadecimal = true }, { "image_size", U32, "image_size", "Image size" } }, bootloader = true },
-    { 0xF1, "BEGIN_DOWNLOAD", "Prepares to write a region of the flash memory that is already erased", request = { { "address", U32, "address", "Address", hexadecimal = true }, { "image_size", U32, "image_size", "Image size" } }, bootloader = true },
-    { 0xF2, "DOWNLOAD_DATA", "Writes the next piece of the image", request = { { "data", BYTES, "data", "Data" } }, bootloader = true },
-    { 0xF3, "CHIP_ERASE", "Erases the whole flash memory", bootloader = true },
-    { 0xF4, "START_APP", "Leaves the updater and starts the firmware", bootloader = true },
-    { 0xF5, "GET_CHECKSUM", "Asks for the checksum of a region of the flash memory", request = { { "address", U32, "address", "Address", hexadecimal = true }, { "image_size", U32, "image_size", "Image size" } }, reply = { { "checksum", U32, "checksum", "Checksum", hexadecimal = true } }, bootloader = true },
-    { 0xF6, "GET_VERSION", "Asks for the versions of hardware and firmware", reply = { { "hardware_version", U32, "hw_id", "Hardware version", hexadecimal = true }, { "firmware_version", U32, "fw_id", "Firmware version", hexadecimal = true } }, bootloader = true },
+    { number = 0x92, name = "BEGIN_DOWNLOAD", text = "Opens a file on the brick for writing and announces its size",
+        request = { { name = "size", kind = U32, filter = "file_len" }, { name = "path", kind = TEXT, filter = "file_name" },
+            { name = "data", kind = BYTES, filter = "data", optional = true } },
+        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "begin", is_long = true,
+        statuses = { [8] = "the file is complete: its size is 0, or this frame held all of it",
+            [1] = "the file cannot be created: it is a folder, or the file system refuses the name",
+            [9] = "there is not enough room for a file of that size, or the frame had more data than announced",
+            [4] = "all handles are in use: earlier files were neither completed nor closed" } },
+    { number = 0x93, name = "CONTINUE_DOWNLOAD", text = "Writes the next piece of a file; the file closes itself when it is complete",
+        request = { { name = "handle", kind = U8, filter = "handle" }, { name = "data", kind = BYTES, filter = "data" } },
+        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "continue", is_long = true,
+        statuses = { [8] = "the file is now complete and closed; bytes beyond its size are dropped",
+            [1] = "no file is open under that handle: it is complete, closed, or was never opened",
+            [10] = "the handle is known, but its file is not open" } },
+    { number = 0x94, name = "BEGIN_UPLOAD", text = "Opens a file on the brick for reading and fetches its first piece",
+        request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "file_name" } },
+        reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
+            { name = "data", kind = BYTES, filter = "data" } },
+        transfer = "begin", statuses = { [8] = "this reply holds the whole file", [1] = "no such file", [4] = "all handles are in use" } },
+    { number = 0x95, name = "CONTINUE_UPLOAD", text = "Fetches the next piece of a file",
+        request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
+        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "data", kind = BYTES, filter = "data" } }, transfer = "continue",
+        statuses = { [8] = "that was the last piece of the file", [2] = "the handle is known, but its file is not open",
+            [1] = "no file is open under that handle" } },
+    { number = 0x96, name = "BEGIN_GETFILE", text = "Opens a file that may still be growing, such as a data log, and fetches its first piece",
+        request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "file_name" } },
+        reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
+            { name = "data", kind = BYTES, filter = "data" } },
+        transfer = "begin",
+        statuses = { [8] = "this reply holds all that the file has so far", [2] = "no such file", [1] = "all handles are in use" } },
+    { number = 0x97, name = "CONTINUE_GETFILE", text = "Fetches the next piece of a file that may still be growing",
+        request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
+        reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
+            { name = "data", kind = BYTES, filter = "data" } },
+        transfer = "continue",
+        statuses = { [8] = "that was the last of what the file has so far", [2] = "the handle is known, but its file is not open",
+            [1] = "no file is open under that handle" } },
+    { number = 0x98, name = "CLOSE_FILEHANDLE", text = "Closes an open file before its end",
+        request = { { name = "handle", kind = U8, filter = "handle" }, { name = "hash", kind = BYTES, filter = "hash", optional = true } },
+        reply = { { name = "handle", kind = U8, filter = "handle", optional = true } }, transfer = "close",
+        statuses = { [1] = "no file is open under that handle" } },
+    { number = 0x99, name = "LIST_FILES", text = "Lists a folder and fetches the first piece of the listing",
+        request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "path_name" } },
+        reply = { { name = "list_size", kind = U32, filter = "list_size" }, { name = "handle", kind = U8, filter = "handle" },
+            { name = "list", kind = LISTING, filter = "list" } },
+        transfer = "begin", statuses = { [8] = "this reply holds the whole listing", [10] = "no such folder, or no free handle" } },
+    { number = 0x9A, name = "CONTINUE_LIST_FILES", text = "Fetches the next piece of a listing",
+        request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
+        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "list", kind = LISTING, filter = "list" } }, transfer = "continue",
+        statuses = { [8] = "that was the last piece of the listing", [10] = "the handle holds no listing" } },
+    { number = 0x9B, name = "CREATE_DIR", text = "Creates a folder", request = { { name = "path", kind = TEXT, filter = "path_name" } },
+        reply = {}, statuses = { [5] = "it cannot be created: it exists, its parent does not, or permission is denied" } },
+    { number = 0x9C, name = "DELETE_FILE", text = "Deletes a file or an empty folder",
+        request = { { name = "path", kind = TEXT, filter = "path_name" } }, reply = {},
+        statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or permission is denied" } },
+    { number = 0x9D, name = "LIST_OPEN_HANDLES", text = "Asks which file handles are in use", request = {},
+        reply = { { name = "handles", kind = BYTES, filter = "handles" } }, statuses = {} },
+    { number = 0x9E, name = "WRITEMAILBOX", text = "Puts a message into a mailbox of the program that runs on the brick",
+        request = { { name = "name_length", kind = U8, filter = "mailbox_length", counts = "name" },
+            { name = "name", kind = COUNTED_TEXT, filter = "mailbox" },
+            { name = "payload_length", kind = U16, filter = "payload_length", counts = "payload" },
+            { name = "payload", kind = BYTES, filter = "payload", is_message = true } },
+        reply = {}, statuses = {} },
+    { number = 0x9F, name = "BLUETOOTHPIN", text = "Sends the PIN for a Bluetooth device (USB only)",
+        request = { { name = "mac_length", kind = U8, filter = "mac_length", counts = "mac" },
+            { name = "mac", kind = COUNTED_TEXT, filter = "mac" },
+            { name = "pin_length", kind = U8, filter = "pin_length", counts = "pin" },
+            { name = "pin", kind = COUNTED_TEXT, filter = "pin" } },
+        reply = { { name = "mac_length", kind = U8, filter = "mac_length", counts = "mac" },
+            { name = "mac", kind = COUNTED_TEXT, filter = "mac" },
+            { name = "pin_length", kind = U8, filter = "pin_length", counts = "pin" },
+            { name = "pin", kind = COUNTED_TEXT, filter = "pin" } },
+        statuses = { [12] = "this works by USB only" } },
+    { number = 0xA0, name = "ENTERFWUPDATE", text = "Restarts the brick into its firmware updater", request = {}, reply = {}, statuses = {} },
+    { number = 0xA1, name = "SETBUNDLEID", text = "Sets the bundle identifier that the brick shows to Apple devices",
+        request = { { name = "id", kind = TEXT, filter = "id" } }, reply = {}, statuses = {} },
+    { number = 0xA2, name = "SETBUNDLESEEDID", text = "Sets the bundle seed identifier that the brick shows to Apple devices",
+        request = { { name = "id", kind = TEXT, filter = "id" } }, reply = {}, statuses = {} },
+    { number = 0xF0, name = "BEGIN_DOWNLOAD_WITH_ERASE", text = "Erases a region of the flash memory and prepares to write it",
+        request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
+            { name = "image_size", kind = U32, filter = "image_size" } },
+        reply = {}, is_bootloader = true, statuses = {} },
+    { number = 0xF1, name = "BEGIN_DOWNLOAD", text = "Prepares to write a region of the flash memory that is already erased",
+        request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
+            { name = "image_size", kind = U32, filter = "image_size" } },
+        reply = {}, is_bootloader = true, statuses = {} },
+    { number = 0xF2, name = "DOWNLOAD_DATA", text = "Writes the next piece of the image",
+        request = { { name = "data", kind = BYTES, filter = "data" } }, reply = {}, is_bootloader = true, statuses = {} },
+    { number = 0xF3, name = "CHIP_ERASE", text = "Erases the whole flash memory", request = {}, reply = {}, is_bootloader = true, statuses = {} },
+    { number = 0xF4, name = "START_APP", text = "Leaves the updater and starts the firmware", request = {}, reply = {}, is_bootloader = true,
+        statuses = {} },
+    { number = 0xF5, name = "GET_CHECKSUM", text = "Asks for the checksum of a region of the flash memory",
+        request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
+            { name = "image_size", kind = U32, filter = "image_size" } },
+        reply = { { name = "checksum", kind = U32, filter = "checksum", hexadecimal = true } }, is_bootloader = true, statuses = {} },
+    { number = 0xF6, name = "GET_VERSION", text = "Asks for the versions of hardware and firmware", request = {},
+        reply = { { name = "hardware_version", kind = U32, filter = "hw_id", hexadecimal = true },
+            { name = "firmware_version", kind = U32, filter = "fw_id", hexadecimal = true } },
+        is_bootloader = true, statuses = {} },
 }
-for _, row in ipairs(SYSTEM) do
-    NAMES.system_commands[row[1]] = row[2]
+for _, command in ipairs(SYSTEM) do
+    NAMES.system_commands[command.number] = command.name
 end
 
-local STATUS = { names = { [0] = "SUCCESS", [1] = "UNKNOWN_HANDLE", [2] = "HANDLE_NOT_READY", [3] = "CORRUPT_FILE", [4] = "NO_HANDLES_AVAILABLE", [5] = "NO_PERMISSION", [6] = "ILLEGAL_PATH", [7] = "FILE_EXITS", [8] = "END_OF_FILE", [9] = "SIZE_ERROR", [10] = "UNKNOWN_ERROR", [11] = "ILLEGAL_FILENAME", [12] = "ILLEGAL_CONNECTION" }, fails = { [0] = false, [1] = true, [2] = true, [3] = true, [4] = true, [5] = true, [6] = true, [7] = true, [8] = false, [9] = true, [10] = true, [11] = true, [12] = true }, success = 0, end_of_file = 8 }
+local STATUS = { names = { [0] = "SUCCESS", [1] = "UNKNOWN_HANDLE", [2] = "HANDLE_NOT_READY", [3] = "CORRUPT_FILE", [4] = "NO_HANDLES_AVAILABLE",
+        [5] = "NO_PERMISSION", [6] = "ILLEGAL_PATH", [7] = "FILE_EXITS", [8] = "END_OF_FILE", [9] = "SIZE_ERROR", [10] = "UNKNOWN_ERROR",
+        [11] = "ILLEGAL_FILENAME", [12] = "ILLEGAL_CONNECTION" },
+    fails = { [0] = false, [1] = true, [2] = true, [3] = true, [4] = true, [5] = true, [6] = true, [7] = true, [8] = false, [9] = true,
+        [10] = true, [11] = true, [12] = true },
+    success = 0, end_of_file = 8 }
 
 -- Daisy chain --------------------------------------------------------------------------------------------------------
 --
 -- Messages between bricks that are connected by USB.
 
-local DAISY = { names = { [160] = "DOWNSTREAM", [161] = "UPSTREAM", [162] = "INFO", [163] = "UNLOCK_SLAVE", [164] = "SET_TYPE", [165] = "DOWNSTREAM_WITH_BUSY" }, carries_operations = { [160] = true, [165] = true }, most_layers = 4, sensor_report = { { name = "layer", size = 1 }, { name = "port", size = 1 }, { name = "status", size = 1 }, { name = "type", size = 1 }, { name = "mode", size = 1 }, { name = "data", size = 32 }, { name = "checksum", size = 1 }, { name = "busy" } }, sensor_report_size = 38 }
+local DAISY = { names = { [160] = "DOWNSTREAM", [161] = "UPSTREAM", [162] = "INFO", [163] = "UNLOCK_SLAVE", [164] = "SET_TYPE",
+        [165] = "DOWNSTREAM_WITH_BUSY" },
+    carries_operations = { [160] = true, [165] = true }, most_layers = 4,
+    sensor_report = { { name = "layer", size = 1 }, { name = "port", size = 1 }, { name = "status", size = 1 }, { name = "type", size = 1 },
+        { name = "mode", size = 1 }, { name = "data", size = 32 }, { name = "checksum", size = 1 }, { name = "busy" } },
+    sensor_report_size = 38 }
 
 -- Pairing ------------------------------------------------------------------------------------------------------------
 --
 -- When a reply answers a command; times are in nanoseconds.
 
 local MOST_PER_COUNTER = 256
-local PAIRING = { patience = 3, least = 50000000, first = 10000000000, unsure = "the pairing is unsure: several commands with its counter waited" }
+local PAIRING = { patience = 3, least = 50000000, first = 10000000000,
+    unsure = "the pairing is unsure: several commands with its counter waited" }
 
 -- Claims -------------------------------------------------------------------------------------------------------------
 --
 -- When traffic is claimed as this protocol.
 
-local CLAIMS = { strange_packets = 3, replies = 2, most_held = 4, never_sent = 0, not_telling = { [2] = true, [3] = true, [12] = true }, only_in_programs = { [4] = true, [5] = true, [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [13] = true, [14] = true, [15] = true, [64] = true }, nxt_write = 33537, nxt_flag = 128, still_sent = { WHOLE = true, NAN_FLOAT = true, LONG = true } }
+local CLAIMS = { strange_packets = 3, replies = 2, most_held = 4, never_sent = 0, not_telling = { [2] = true, [3] = true, [12] = true },
+    only_in_programs = { [4] = true, [5] = true, [6] = true, [7] = true, [8] = true, [9] = true, [10] = true, [11] = true, [13] = true,
+        [14] = true, [15] = true, [64] = true },
+    nxt_write = 33537, nxt_flag = 128, still_sent = { WHOLE = true, NAN_FLOAT = true, LONG = true } }
 -- The range of each type.
-local TYPE_RANGES = { DATA8 = { -127, 127, text = "DATA8, -127 to 127", named = "-127 to 127 as DATA8" }, DATA16 = { -32767, 32767, text = "DATA16, -32767 to 32767", named = "-32767 to 32767 as DATA16" }, DATA32 = { -2147483647, 2147483647, text = "DATA32, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as DATA32" }, HANDLE = { -32767, 32767, text = "handle, -32767 to 32767", named = "-32767 to 32767 as handle" }, ARRAY_TYPED = { -2147483647, 2147483647, text = "array-typed, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as array-typed" }, LABEL = { -2147483647, 2147483647, text = "label, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as label" } }
+local TYPE_RANGES = { DATA8 = { -127, 127, text = "DATA8, -127 to 127", named = "-127 to 127 as DATA8" },
+    DATA16 = { -32767, 32767, text = "DATA16, -32767 to 32767", named = "-32767 to 32767 as DATA16" },
+    DATA32 = { -2147483647, 2147483647, text = "DATA32, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as DATA32" },
+    HANDLE = { -32767, 32767, text = "handle, -32767 to 32767", named = "-32767 to 32767 as handle" },
+    ARRAY_TYPED = { -2147483647, 2147483647, text = "array-typed, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as array-typed" },
+    LABEL = { -2147483647, 2147483647, text = "label, -2147483647 to 2147483647", named = "-2147483647 to 2147483647 as label" } }
 -- The motors of each bit mask.
-local PORT_SETS = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D", [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }
+local PORT_SETS = { [0] = "none", [1] = "A", [2] = "B", [3] = "A+B", [4] = "C", [5] = "A+C", [6] = "B+C", [7] = "A+B+C", [8] = "D", [9] = "A+D",
+    [10] = "B+D", [11] = "A+B+D", [12] = "C+D", [13] = "A+C+D", [14] = "B+C+D", [15] = "A+B+C+D" }
 -- The numbers of labels for jumps; those of a LABEL include 0.
 local LABELS = { 1, 31 }
 
@@ -780,6 +2533,7 @@ local LABELS = { 1, 31 }
 -- What is said of constants: code and words. The brick refuses those of REFUSED.
 
 local FINDINGS = {
+    NEVER_RUNS = { "E201", "{byte} is {name}, which the firmware never runs" },
     REFUSED = { "E204", "{name} is {value}, but the brick accepts only {accepted} in a first parameter" },
     LABEL_NUMBER = { "E206", "{name} is {value}, but labels are 0 to 31" },
     TRUNCATED = { "E301", "{name} is {value}, which the brick truncates to {read}: it is {type}" },
@@ -797,9 +2551,14 @@ local FINDINGS = {
     LABEL_BYTE = { "W305", "{byte} is LAB1, a label, but labels are 1 to 31: the brick takes this one as the number {read}" },
     LONG = { "E502", "{name} has {characters}; the firmware accepts at most {most}" },
     NO_PORTS = { "H702", "{name} is 0, a bit mask without a port, so {owner} does nothing" },
+    MAILBOX_NAME = { "W804", "the name has {size} characters; that of a mailbox has at most 49" },
+    MAILBOX_CONTENT = { "W804", "the message has {size} bytes, but a mailbox has room for only 250" },
 }
 local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
-local SLIPS = { length_self = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent, so the brick waits and takes %d bytes of the next frame" }
+local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
+local SLIPS = {
+    length_self = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent; the brick takes %d bytes of the next one",
+}
 local REFUSED = { E204 = true, E206 = true }
 
 -- USB and Bluetooth --------------------------------------------------------------------------------------------------
@@ -807,14 +2566,19 @@ local REFUSED = { E204 = true, E206 = true }
 -- How a brick is recognised.
 
 -- USB products are vendor and product in one number: the brick, and its bootloader.
-local CARRIERS = { usb_products = { 0x06940005, 0x06940006 }, rfcomm_channel = 1, tcp_port = 5555, beacon_port = 3015, beacon_lines = { { name = "serial", label = "Serial-Number" }, { name = "port", label = "Port" }, { name = "name", label = "Name" }, { name = "protocol", label = "Protocol" } }, protocol = "EV3" }
+local CARRIERS = { usb_products = { 0x06940005, 0x06940006 }, rfcomm_channel = 1, tcp_port = 5555, beacon_port = 3015,
+    beacon_lines = { { name = "serial", label = "Serial-Number" }, { name = "port", label = "Port" }, { name = "name", label = "Name" },
+        { name = "protocol", label = "Protocol" } },
+    protocol = "EV3" }
 
 -- WiFi ---------------------------------------------------------------------------------------------------------------
 --
 -- The texts before the first frame.
 
 -- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.
-local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()", "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()" }, request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n", starts = { [71] = true, [65] = true } }
+local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()", "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()" },
+    request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
+    starts = { [71] = true, [65] = true } }
 
 -- Names for filters --------------------------------------------------------------------------------------------------
 --
@@ -823,6 +2587,7 @@ local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protoc
 local field = {
     bytes = ProtoField.bytes("ev3.bytes", "Bytes", base.NONE, "all bytes of a frame, or of a text between frames"),
     brick = ProtoField.string("ev3.brick", "Brick", "the brick that it goes to or comes from"),
+    connection = ProtoField.uint32("ev3.connection", "Connection", base.DEC, nil, nil, "the number of its conversation in the capture, from 1"),
     length = ProtoField.uint16("ev3.msg_len", "Length", base.DEC, nil, nil, "bytes that follow this field"),
     counter = ProtoField.uint16("ev3.msg_num", "Message counter", base.DEC, nil, nil, "chosen by the sender, echoed in the reply"),
     type = ProtoField.uint8("ev3.cmd_type", "Type", base.HEX, NAMES.message_types),
@@ -833,6 +2598,10 @@ local field = {
     cmd = ProtoField.string("ev3.cmd", "CMD", "opcode and CMD by name, such as SOUND.TONE"),
     encoding = ProtoField.string("ev3.argument.encoding", "Encoding", "how the argument is encoded"),
     variable = ProtoField.string("ev3.argument.variable", "Variable", "the variable that is used as an argument, such as GV(0)"),
+    port_0 = ProtoField.bool("ev3.ports.a", "A", 8, nil, 0x01, "a motor in NOS"),
+    port_1 = ProtoField.bool("ev3.ports.b", "B", 8, nil, 0x02, "a motor in NOS"),
+    port_2 = ProtoField.bool("ev3.ports.c", "C", 8, nil, 0x04, "a motor in NOS"),
+    port_3 = ProtoField.bool("ev3.ports.d", "D", 8, nil, 0x08, "a motor in NOS"),
     other = ProtoField.string("ev3.argument.value", "Value", "a constant whose type differs from its parameter's"),
     memory = ProtoField.bytes("ev3.memory", "Global memory"),
     answers = ProtoField.string("ev3.answers", "Answers", "the operation that these values of a reply belong to, such as UI_READ.GET_VBATT"),
@@ -907,7 +2676,7 @@ local experts = {
     misaligned = ProtoExpert.new("ev3.expert.misaligned", "Misaligned variable", expert.group.PROTOCOL, expert.severity.ERROR),
     beyond_memory = ProtoExpert.new("ev3.expert.beyond_memory", "Variable beyond the requested memory", expert.group.PROTOCOL, expert.severity.WARN),
     refused = ProtoExpert.new("ev3.expert.refused", "Argument that the brick refuses", expert.group.PROTOCOL, expert.severity.ERROR),
-    misread = ProtoExpert.new("ev3.expert.misread", "Value that the brick reads otherwise, or that is not documented", expert.group.PROTOCOL, expert.severity.WARN),
+    misread = ProtoExpert.new("ev3.expert.misread", "Value that the brick misreads, or that is not documented", expert.group.PROTOCOL, expert.severity.WARN),
     no_boundary = ProtoExpert.new("ev3.expert.no_boundary", "No frame starts here", expert.group.MALFORMED, expert.severity.ERROR),
     error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
     failed = ProtoExpert.new("ev3.expert.failed", "The command failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
@@ -938,9 +2707,6 @@ end
 
 -- Whether the bytes of each frame are added as a field, for programs that read the output.
 local gives_bytes = false
-
--- The brick of the current packet, if there is a tree.
-local brick
 
 -- Returns the text of a hardware or IP address. Wireshark's own has a name where it knows one, as of LEGO's block, and
 -- has no other access to the bytes: they are found by comparing.
@@ -982,13 +2748,14 @@ do
     end
 end
 
--- Adds the item of a frame, or of a text around frames. Without `said` its text comes later.
+-- Adds the item of a frame, or of a text around frames. Without `said` its text comes later. The name of the `brick` of a
+-- packet is passed on to all that shows its parts, and is false without a tree.
 local add_item
 do
     -- Looking up methods of items takes time; frequent ones are local.
     local add, set_generated, brick_field = TreeItem.add, TreeItem.set_generated, field.brick
 
-    function add_item(tree, range, said)
+    function add_item(tree, range, brick, said)
         local item = said and add(tree, ev3, range, "EV3: " .. said) or add(tree, ev3, range)
         if brick then set_generated(add(item, brick_field, brick)) end
         if gives_bytes then add(item, field.bytes, range) end
@@ -1024,16 +2791,25 @@ local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
+    -- Tells whether the tables allow no negative number for a parameter.
+    local function is_natural(row)
+        for value in pairs(row.special or {}) do
+            if value < 0 then return false end
+        end
+        return row[2] == IN and row.range ~= nil and row.range[1] >= 0
+    end
+
     -- Makes the field of one parameter; `kind` is the kind of its values.
     local function parameter_field(abbreviation, parameter, kind, name, text)
         if kind == TEXT_VALUE then return ProtoField.string(abbreviation, name, text) end
         if kind == FLOAT then return ProtoField.float(abbreviation, name, text) end
+        local whole = is_natural(parameter) and ProtoField.uint32 or ProtoField.int32
         if parameter.enum and not parameter.enum.is_flags then
-            return ProtoField.int32(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
+            return whole(abbreviation, name, base.DEC, parameter.enum.names, nil, text)
         elseif parameter.unit then
-            return ProtoField.int32(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
+            return whole(abbreviation, name, base.UNIT_STRING, { " " .. parameter.unit }, nil, text)
         end
-        return ProtoField.int32(abbreviation, name, base.DEC, nil, nil, text)
+        return whole(abbreviation, name, base.DEC, nil, nil, text)
     end
 
     -- Returns the names of a parameter in filters and in the tree, and the kind of its values.
@@ -1048,12 +2824,12 @@ do
     local VALIDATED_AS = { [STRING] = DATA8, [LABEL] = DATA32 }
 
     -- Makes a parameter from its row in the tables; `value_name` is its name in the line of a reply.
-    local function ready_parameter(row, declared, kind, label, value_name)
-        local name, direction, type = row[1], row[2], row[3]
+    local function ready_parameter(row, value_name)
+        local name, direction, type, kind = row[1], row[2], row[3], row.kind
         local is_flags = row.enum and row.enum.is_flags
         return {
-            name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
-            size = SIZE_OF[type] or 1,
+            name = name, type = type, field = row.field, kind = kind, is_float = type == DATAF, label = row.label,
+            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row),
             -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in the line of a command and of a reply.
@@ -1123,45 +2899,32 @@ do
         return list
     end
 
-    -- In the text of parameters, a name is its own value.
-    local WORDS = setmetatable({ ENUMERATIONS = ENUMERATIONS }, { __index = function(_, word) return word end })
-
-    local function read_rows(source)
-        return load("return {" .. source .. "}", "=parameters", "t", WORDS)()
-    end
-
     -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
-    local function declare_operation(name, source)
-        local operation = { name = name, source = source, first_field = #fields + 1 }
-        for _, row in ipairs(read_rows(source)) do
+    local function declare_operation(name, rows)
+        for _, row in ipairs(rows) do
             local abbreviation, label, kind = described(name, row)
-            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
-            if row[3] == COUNT then
-                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
-            end
+            row.label, row.kind, row.field = label, kind, parameter_field(abbreviation, row, kind, label, row[4])
+            row.item_field = row[3] == COUNT and element_field(abbreviation .. ".item", row) or row.field
+            fields[#fields + 1] = row.field
+            if row[3] == COUNT then fields[#fields + 1] = row.item_field end
         end
-        return operation
+        return { name = name, rows = rows }
     end
 
     -- Adds the parameters to an operation on first use. Values after a count are in its `list`. Only operations of a
     -- family have a `cmd_name`.
     function prepare_operation(operation)
-        local name, at = operation.name, operation.first_field
-        local rows, by_name = read_rows(operation.source), {}
-        operation.cmd_name, operation.source, operation.parameters = name:match("%.(.+)$"), nil, {}
+        local name, rows, by_name = operation.name, operation.rows, {}
+        operation.cmd_name, operation.rows, operation.parameters = name:match("%.(.+)$"), nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
-            local _, label, kind = described(name, row)
             -- The line of a reply names a VALUE after its command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and name:match("%.GET_(.+)$") or own
-            local parameter = ready_parameter(row, fields[at], kind, label, value_name)
+            local parameter = ready_parameter(row, value_name)
             by_name[own] = parameter
-            if type ~= VALUES then
-                table.insert(operation.parameters, parameter)
-                at = at + 1
-            end
+            if type ~= VALUES then table.insert(operation.parameters, parameter) end
             if type == COUNT or type == VALUES then
-                operation.list = ready_list(parameter, row, fields[at])
+                operation.list = ready_list(parameter, row, row.item_field)
                 operation.list.counter = operation.parameters[#operation.parameters]
             end
         end
@@ -1206,20 +2969,14 @@ do
 
     -- System commands by number, with the fields of their messages.
     SYSTEM_COMMANDS = {}
-    for _, row in ipairs(SYSTEM) do
-        local command = {
-            name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
-            transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
-            is_long = row.is_long,
-        }
+    for _, command in ipairs(SYSTEM) do
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
-                declared.name, declared.kind = declared[1], declared[2]
-                declared.filter, declared.label = declared[3], declared[4]
                 declared.field = field["system_" .. declared.filter]
+                command.has_message = command.has_message or declared.is_message
             end
         end
-        SYSTEM_COMMANDS[row[1]] = command
+        SYSTEM_COMMANDS[command.number] = command
     end
 end
 
@@ -1377,9 +3134,10 @@ do
     end
 
     -- Returns the operation of an opcode and its CMD, and the offset after them; else nil, offset, reason and kind.
-    function reading.select_operation(text, at)
+    -- `set` has the instructions, by default the preferred ones.
+    function reading.select_operation(text, at, set)
         local code = byte(text, at + 1)
-        local operation, after = instructions[code], at + 1
+        local operation, after = (set or instructions)[code], at + 1
         if not operation then
             return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
         end
@@ -1424,9 +3182,9 @@ do
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
-    -- parameter, encoding, value, and the offsets of its first byte and after its last. Returns the offset after the
-    -- last one that could be read, and after a fault its offset, reason and kind.
-    function reading.read_arguments(operation, text, at, visit)
+    -- parameter, encoding, value, the offsets of its first byte and after its last, and `context`. Returns the offset
+    -- after the last one that could be read, and after a fault its offset, reason and kind.
+    function reading.read_arguments(operation, text, at, visit, context)
         local parameters, list = operation.parameters, operation.list
         local element_type = list and list.element_type
         local index, last, elements = 0, #parameters, nil
@@ -1435,7 +3193,7 @@ do
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
             if not encoding then return at, argument_fault(text, at, parameter.name) end
-            visit(parameter, encoding, value, at, after)
+            visit(parameter, encoding, value, at, after, context)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
                     element_type = FORMAT_TYPES[value] or element_type
@@ -1454,8 +3212,8 @@ do
     local function pass_over() end
 
     -- Reads one operation with its arguments, as above. Returns the operation, and the same as above.
-    function reading.read_operation(text, at, visit)
-        local operation, after, reason, kind = reading.select_operation(text, at)
+    function reading.read_operation(text, at, visit, set)
+        local operation, after, reason, kind = reading.select_operation(text, at, set)
         if not operation then return nil, at, after, reason, kind end
         return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end
@@ -1538,6 +3296,12 @@ do
     -- Returns a template with values for its names in braces.
     function phrases.filled(template, values)
         return (gsub(template, "{(%w+)}", values))
+    end
+
+    -- Returns what `ev3proto check` says, by the key of its words.
+    function phrases.finding(key, values)
+        local code, words = FINDINGS[key][1], FINDINGS[key][2]
+        return phrases.filled(words, values) .. " (" .. code .. ")", code
     end
 
     -- Returns the names of the operations after the first one, as far as there is room.
@@ -1704,8 +3468,7 @@ do
             outside = parameter.outside and parameter.outside[1], byte = format("0x%02X", byte_code),
             characters = phrases.plural(size, "character"), most = parameter.most,
         }
-        local code, words = FINDINGS[wrong][1], FINDINGS[wrong][2]
-        return phrases.filled(words, parts) .. " (" .. code .. ")", code
+        return phrases.finding(wrong, parts)
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -1797,10 +3560,13 @@ do
     -- One string for equal bodies, up to a number of them.
     local shared, shared_count, conversations
 
+    -- The number of the newest conversation; by packet, that of its conversation, if it is not the first.
+    local newest_number, numbers
+
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
         transfers = {}
-        count, shared, shared_count, conversations = 0, {}, 0, {}
+        count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
     end
 
     local function set_number(place, number)
@@ -1858,6 +3624,26 @@ do
             conversations[key] = conversation
         end
         return conversation
+    end
+
+    -- Begins another connection between the same ends: it has replies, files and a number of its own.
+    function dialogues.renew(conversation)
+        conversation.waiting, conversation.begun, conversation.open = {}, {}, {}
+        conversation.number, conversation.longest = nil, nil
+    end
+
+    -- Returns the number of the conversation of a packet with messages.
+    function dialogues.conversation_at(packet)
+        return numbers[packet] or 1
+    end
+
+    -- A conversation gets the next number with its first message.
+    local function number_packet(conversation, packet)
+        if not conversation.number then
+            newest_number = newest_number + 1
+            conversation.number = newest_number
+        end
+        if conversation.number > 1 then numbers[packet] = conversation.number end
     end
 
     -- Returns what a reply has in common with its command.
@@ -1977,6 +3763,7 @@ do
         if command.transfer == "begin" then
             transfer = conversation.begun[message.counter]
             conversation.begun[message.counter] = nil
+            if failed and transfer then transfer.is_over = true end
             if failed or not values.handle then return transfer end
             -- Even if the command was not captured, the handle now belongs to another file.
             conversation.open[handle] = transfer
@@ -1999,6 +3786,7 @@ do
         local is_on_file = message.command and message.command.transfer
         local now, transfer = nanoseconds(pinfo), nil
         conversation.newest = now
+        number_packet(conversation, storage.number_of(place))
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then
@@ -2109,13 +3897,15 @@ do
     local argument_text, plural, misuse_of = phrases.argument_text, phrases.plural, phrases.misuse
     local NOTHING_STATED = {}
     local VARIABLE, OPCODE, CMD, ENCODING = field.variable, field.opcode, field.cmd, field.encoding
+    local PORTS, PORT_FIELDS = 1, { field.port_0, field.port_1, field.port_2, field.port_3 }
 
     -- Returns what the item of a value needs besides its range: the field of its parameter, or one for texts if its
     -- type differs; the value; its label, and what is appended, or nil. `numbered` is the name of an element of a list,
     -- with its number; `dataset` is what it receives from a device.
     local function value_parts(parameter, value, numbered, dataset)
         local declared, kind, is_text = parameter.field, parameter.kind, type(value) == "string"
-        if is_text ~= (kind == TEXT_VALUE) or kind == NUMBER and value % 1 ~= 0 then
+        local is_other = is_text ~= (kind == TEXT_VALUE)
+        if is_other or kind == NUMBER and (value % 1 ~= 0 or parameter.is_natural and value < 0) then
             local text = is_text and reading.utf8_text(value) or phrases.number_text(value)
             return field.other, text, (numbered or parameter.name) .. ": " .. text
         elseif is_text then
@@ -2139,7 +3929,7 @@ do
 
     -- Steps are the items of operations in one list, which costs less than adding the items again by their bytes. An
     -- item is its field, offset, size, value, label, and what is appended; then what is said of it, as false, kind and
-    -- text; and its encoding, as true and a label.
+    -- text; the set of ports that it is, as PORTS and a number; and its encoding, as true and a label.
     local function add_step(steps, declared, at, size, value, label, appended)
         local last = #steps
         steps[last + 1], steps[last + 2], steps[last + 3], steps[last + 4] = declared, at, size, value
@@ -2158,6 +3948,11 @@ do
             local declared = steps[index]
             if declared == true then
                 add(newest, ENCODING, range, steps[index + 1])
+                index = index + 2
+            elseif declared == PORTS then
+                for _, port in ipairs(PORT_FIELDS) do
+                    add(newest, port, range, steps[index + 1])
+                end
                 index = index + 2
             elseif not declared then
                 complain(newest, steps[index + 1], steps[index + 2])
@@ -2178,112 +3973,115 @@ do
         end
     end
 
-    -- The state of reading operations: the `steps`, nil if they are not wanted; the requested memory; the operation,
-    -- where it starts, and the constants that its arguments state; the text `said` so far, and its number of arguments;
-    -- whether a variable `is_beyond` the memory; the first `remark` on an argument; the `complaints` without a tree;
-    -- the `outputs`; the `content` that is read. Local variables are faster than a table for the many arguments.
-    local steps, globals, locals, operation, start, stated, said, said_count, is_beyond
-    local remark, complaints, outputs, content
+    -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
+    -- requested `globals` and `locals`; the `operation`, its offset `at`, and the constants `stated` by its arguments;
+    -- what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` without a tree,
+    -- whether a variable `is_beyond` the memory, and the `outputs`.
 
-    local function report(kind, at, text)
-        remark = remark or format("at offset %d: %s", at, text)
+    local function report(run, kind, at, text)
+        local steps, complaints = run.steps, run.complaints
+        run.remark = run.remark or format("at offset %d: %s", at, text)
         if steps then
             local last = #steps
             steps[last + 1], steps[last + 2], steps[last + 3] = false, kind, text
         end
         -- Without a tree only the first variable beyond the memory is reported.
-        if kind == "beyond_memory" and is_beyond then return end
-        is_beyond = is_beyond or kind == "beyond_memory"
+        if kind == "beyond_memory" and run.is_beyond then return end
+        run.is_beyond = run.is_beyond or kind == "beyond_memory"
         complaints[#complaints + 1] = { kind = kind, text = text }
     end
 
-    -- Adds the expert information for a variable whose index the brick refuses.
-    local function complain_of_index(at, parameter, encoding, index, alignment)
-        local reason = "%s: the index of a %s must be a multiple of %d, the brick refuses %s"
-        local sort = encoding.handle and "handle" or TYPE_NAMES[parameter.type]
-        local variable = argument_text(parameter, encoding, index)
-        report("misaligned", at, format(reason, parameter.name, sort, alignment, variable))
-    end
-
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory.
-    local function check_variable(at, parameter, encoding, index)
+    local function check_variable(run, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
             size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
-        if index % alignment ~= 0 then complain_of_index(at, parameter, encoding, index, alignment) end
+        if index % alignment ~= 0 then
+            report(run, "misaligned", at, format(
+                "%s: the index of a %s must be a multiple of %d, the brick refuses %s", parameter.name,
+                encoding.handle and "handle" or TYPE_NAMES[parameter.type], alignment,
+                argument_text(parameter, encoding, index)))
+        end
         local is_global = encoding.kind == GLOBAL
-        local asked = is_global and globals or locals
+        local asked = is_global and run.globals or run.locals
         if not asked then return end
         if parameter.length and parameter.is_output and not encoding.handle then
-            size = size * reply_values.stated_length(parameter, stated, 1)
+            size = size * reply_values.stated_length(parameter, run.stated, 1)
         end
         if index + size <= asked then return end
-        report("beyond_memory", at, format(
+        report(run, "beyond_memory", at, format(
             "%s reaches up to byte %d of the %s memory, but the command requests %s",
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(at, reason, code)
-        if reason then report(REFUSED[code] and "refused" or "misread", at, reason) end
+    local function check_constant(run, at, parameter, encoding, value)
+        local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
+        if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
     end
 
     -- Appends an argument to the line of its operation.
-    local function say_argument(parameter, encoding, value)
-        said_count = said_count + 1
-        if said_count <= phrases.MOST_VALUES then
-            said = said .. parameter.key .. argument_text(parameter, encoding, value)
-        elseif said_count == phrases.MOST_VALUES + 1 then
-            said = said .. " ..."
+    local function say_argument(run, parameter, encoding, value)
+        run.count = run.count + 1
+        if run.count <= phrases.MOST_VALUES then
+            run.said = run.said .. parameter.key .. argument_text(parameter, encoding, value)
+        elseif run.count == phrases.MOST_VALUES + 1 then
+            run.said = run.said .. " ..."
         end
     end
 
     -- Keeps an output for the reply: its parameter, the `index` of its variable, its operation, the constants that
     -- the operation's arguments state, and what it receives from a device.
-    local function note_output(parameter, encoding, index)
-        outputs[#outputs + 1] = {
-            parameter = parameter, index = index, is_handle = encoding.handle, operation = operation, at = start,
+    local function note_output(run, parameter, encoding, index)
+        local stated = run.stated
+        run.outputs[#run.outputs + 1] = {
+            parameter = parameter, index = index, is_handle = encoding.handle, operation = run.operation, at = run.at,
             stated = stated, dataset = not encoding.handle and reply_values.dataset_of(parameter, stated) or nil,
         }
     end
 
-    local function take_argument(parameter, encoding, value, at, after)
+    local function take_argument(parameter, encoding, value, at, after, run)
+        local steps = run.steps
         if steps and encoding.scope then
             local variable = argument_text(parameter, encoding, value)
             add_step(steps, VARIABLE, at, after - at, variable, parameter.label .. ": " .. variable)
         elseif steps then
             local declared, shown, label, appended = value_parts(parameter, value, parameter.numbered)
             add_step(steps, declared, at, after - at, shown, label, appended)
+            if parameter.is_set and declared ~= field.other then
+                local last = #steps
+                steps[last + 1], steps[last + 2] = PORTS, value
+            end
         end
         if encoding.scope then
-            check_variable(at, parameter, encoding, value)
+            check_variable(run, at, parameter, encoding, value)
             -- An address is the place of a value, not a value.
             if encoding.kind == GLOBAL and parameter.is_output and not encoding.address then
-                note_output(parameter, encoding, value)
+                note_output(run, parameter, encoding, value)
             end
         else
             if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
-                stated[parameter.name] = value
+                run.stated[parameter.name] = value
             end
             local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(at, misuse_of(parameter, encoding, value, operation.name, byte(content, at + 1)))
+                check_constant(run, at, parameter, encoding, value)
             end
         end
         if steps then add_encoding(steps, encoding) end
-        if said and parameter.key then say_argument(parameter, encoding, value) end
+        if run.said and parameter.key then say_argument(run, parameter, encoding, value) end
     end
 
     -- Reads the operations from an offset to the end of a frame; the last two arguments are the requested memory, if
     -- known. Returns the `line` of the operations, which may be empty; the offset `after` the last one that could be
     -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
     -- `wants_steps` the `steps` of their items.
-    local function read(text, at, wants_steps, asked_globals, asked_locals)
+    local function read(text, at, wants_steps, globals, locals)
         local first, phrase, others, fault, line = nil, "", {}, nil, ""
-        globals, locals, is_beyond, complaints, outputs = asked_globals, asked_locals, false, {}, {}
-        remark, steps, content = nil, wants_steps and {} or nil, text
+        local steps = wants_steps and {} or nil
+        local run = { text = text, steps = steps, globals = globals, locals = locals, complaints = {}, outputs = {} }
         while at < #text and not fault do
             local heading = steps and #steps
             if steps then add_step(steps, OPCODE, at, 1, byte(text, at + 1)) end
@@ -2292,16 +4090,20 @@ do
                 fault = { at = after, reason = reason, kind = kind }
                 break
             end
+            if byte(text, at + 1) == CLAIMS.never_sent then
+                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
+            end
             local cmd = selected.cmd_name
             if steps and cmd then
                 add_step(steps, CMD, at + 1, after - at - 1, selected.name)
                 if after > at + 2 then add_encoding(steps, reading.ENCODINGS[byte(text, at + 2)]) end
             end
-            operation, start, stated = selected, at, selected.has_stated and {} or NOTHING_STATED
+            run.operation, run.at, run.stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
-            said, said_count = (steps or not first) and "", 0
+            run.said, run.count = (steps or not first) and "", 0
             local offset
-            after, offset, reason, kind = read_arguments(selected, text, after, take_argument)
+            after, offset, reason, kind = read_arguments(selected, text, after, take_argument, run)
+            local said = run.said
             if not first then
                 first, phrase = selected, said
             else
@@ -2316,10 +4118,10 @@ do
         end
         if first then line = first.name .. phrase end
         if others[1] then line = line .. " " .. phrases.others_text(others) end
-        if first and remark then line = format("%s [%s]", line, remark) end
+        if first and run.remark then line = format("%s [%s]", line, run.remark) end
         return {
-            line = line, after = at, fault = fault, first = first, complaints = complaints, outputs = outputs,
-            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or remark, steps = steps,
+            line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
+            remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
         }
     end
 
@@ -2344,26 +4146,24 @@ do
 
     -- Keeps a summary that was read; its steps only from the second time on that its items are shown, because some
     -- programs never repeat a command.
-    local function keep(body, summary, earlier)
+    local function keep(body, summary, is_again)
         if summary_bytes > MOST_BYTES or step_bytes > MOST_STEP_BYTES then operations.forget() end
-        local kept = steps
-        if steps and not (earlier and earlier.is_shown) then
-            kept, summary.steps, summary.is_shown = nil, nil, true
-        end
         if not summaries[body] then summary_bytes = summary_bytes + #body + SUMMARY_BYTES end
-        summaries[body], step_bytes = summary, step_bytes + (kept and #kept * STEP_BYTES or 0)
+        summaries[body], summary.is_shown = summary, summary.steps ~= nil
+        if not is_again then summary.steps = nil end
+        step_bytes = step_bytes + (summary.steps and #summary.steps * STEP_BYTES or 0)
     end
 
     -- Returns the summary of a direct command by its bytes after the type, and its steps if they are wanted. Offsets
     -- are those in the frame.
     function operations.summary_of(body, wants_steps)
-        local summary = summaries[body]
-        if summary and (summary.steps or not wants_steps) then return summary, summary.steps end
+        local kept = summaries[body]
+        if kept and (kept.steps or not wants_steps) then return kept, kept.steps end
         local text = HEADER .. body
         if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
-        local earlier = summary
-        summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
-        keep(body, summary, earlier)
+        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
+        local steps = summary.steps
+        keep(body, summary, kept and kept.is_shown)
         return summary, steps
     end
 
@@ -2390,7 +4190,7 @@ do
     function operations.show_payload(text, at, view, payload)
         local summary = read(text, at, payload ~= nil)
         if summary.fault then return summary.line, summary.after, summary.fault end
-        return show(summary, steps, payload, view)
+        return show(summary, summary.steps, payload, view)
     end
 
     -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.
@@ -2663,10 +4463,20 @@ do
         add_rest(message, view, message.rest)
     end
 
+    -- Complains about a name and a message that are too long for a mailbox.
+    local function check_mailbox(fields, target)
+        for _, found in ipairs(fields) do
+            local key = found.declared.is_message and "MAILBOX_CONTENT" or "MAILBOX_NAME"
+            local size = type(found.value) == "string" and #found.value or 0
+            if size > MOST_IN_MAILBOX[key] then complain(target, "misread", phrases.finding(key, { size = size })) end
+        end
+    end
+
     -- Commands and replies. Their fields were read with the frame, because file transfers need them.
     local function show_system_message(message, view)
         local command, status = message.command, message.status
         if view.item then add_system_message(message, view) end
+        if command and command.has_message then check_mailbox(message.fields, view.target) end
         if status and (STATUS.fails[status] ~= false or message.type.is_error) then
             complain(view.target, "failed", "the command failed: " .. status_text(status) .. status_meaning(message))
         end
@@ -2826,9 +4636,10 @@ do
     end
 
     -- Adds the item of a message, with its header. Its text comes later.
-    local function add_frame(tree, tvb, base, message)
+    local function add_frame(tree, tvb, base, message, place, brick)
         local range = new_range(tvb, base, message.stop)
-        local item = add_item(tree, range)
+        local item = add_item(tree, range, brick)
+        set_generated(add(item, field.connection, dialogues.conversation_at(storage.number_of(place))))
         -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
@@ -2838,8 +4649,8 @@ do
 
     -- Shows a message. Returns its line and, with a tree, its item. The frame is at offset `base` of the buffer; `said`
     -- replaces the message's own line; `is_new` is true in the first pass.
-    function messages.show(message, place, tvb, base, tree, is_shown, said, is_new)
-        local type, item = message.type, is_shown and add_frame(tree, tvb, base, message) or nil
+    function messages.show(message, place, tvb, base, tree, brick, said, is_new)
+        local type, item = message.type, brick and add_frame(tree, tvb, base, message, place, brick) or nil
         local view = {
             root = tree, item = item, target = item or tree, tvb = tvb, base = base, place = place, request = nil,
         }
@@ -2946,14 +4757,14 @@ end
 
 -- Dissects a message in a buffer. `conversation` is given in the first pass only; `said` replaces the message's own
 -- line. Returns the line for the info column and, if there is a tree, the message's item.
-local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown, said)
+local function dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick, said)
     if conversation then
         dialogues.take_note(place, conversation, message, pinfo)
         claiming.note(conversation, message)
     end
     message.is_cut = message.stop < message.size and is_cut_by_capture(tvb, at + message.stop, pinfo)
-    local line, item = messages.show(message, place, tvb, at, tree, is_shown, said, conversation)
-    storage.free_unused(is_shown)
+    local line, item = messages.show(message, place, tvb, at, tree, brick, said, conversation)
+    storage.free_unused(brick)
     return line, item
 end
 
@@ -3005,25 +4816,13 @@ local OURS, PART = "ours", "part"
 local CHAIN, SINGLE, OPEN = "chain", "single", "open"
 
 do
-    -- Calls a function with each firmware's instructions, the preferred one's first, until it returns true.
-    local function by_any(says, ...)
-        local said, preferred = says(...), instructions
-        if said then return said end
-        for _, name in ipairs(DIALECTS) do
-            instructions = INSTRUCTION_SETS[name]
-            said = said or instructions ~= preferred and says(...)
-        end
-        instructions = preferred
-        return said
-    end
-
     -- Reads operations from an offset on. `judge` gets the opcode of each, `visit` each argument. Returns nil, or the
-    -- kind of the fault that ends them, and its operation.
-    function claiming.scan(text, at, stop, judge, visit)
+    -- kind of the fault that ends them, and its operation. `set` has the instructions, by default the preferred ones.
+    function claiming.scan(text, at, stop, judge, visit, set)
         while at < stop do
             local code = byte(text, at + 1)
             if code == CLAIMS.never_sent then return "fault" end
-            local operation, after, _, reason, kind = reading.read_operation(text, at, visit)
+            local operation, after, _, reason, kind = reading.read_operation(text, at, visit, set)
             if operation and judge then judge(code) end
             if reason then return kind, operation end
             at = after
@@ -3055,8 +4854,8 @@ do
         return not (value == 0 and parameter.is_set) and (not wrong or CLAIMS.still_sent[wrong] == true)
     end
 
-    -- The same for all operations of a direct command, at least one of which must be evidence.
-    local function fits(text, stop, is_cut)
+    -- The same for all operations of a direct command by a firmware's instructions; at least one must be evidence.
+    local function fits(text, stop, is_cut, set)
         local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
         local globals = memory % (GLOBAL_MASK + 1)
         local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
@@ -3067,7 +4866,7 @@ do
             if CLAIMS.only_in_programs[code] then is_right = false end
             if not CLAIMS.not_telling[code] then is_telling = true end
         end
-        local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit)
+        local kind = claiming.scan(text, COMMAND_HEADER_SIZE, stop, judge, visit, set)
         return is_right and is_telling and (not kind or is_cut and kind == "cut_off")
     end
 
@@ -3078,7 +4877,12 @@ do
         if not type or not type.is_command then return false end
         if not is_cut and (stop < message.size or message.fault) then return false end
         if type.carries == "direct" then
-            return stop >= COMMAND_HEADER_SIZE and by_any(fits, message.text, stop, is_cut)
+            if stop < COMMAND_HEADER_SIZE then return false end
+            if fits(message.text, stop, is_cut, instructions) then return true end
+            for _, set in pairs(INSTRUCTION_SETS) do
+                if set ~= instructions and fits(message.text, stop, is_cut, set) then return true end
+            end
+            return false
         end
         if is_cut then return false end
         if type.carries == "daisy" then return claiming.is_sensible(message) end
@@ -3299,13 +5103,15 @@ do
         return places, at
     end
 
-    -- Tells whether whole frames of accepted types fill a text from an offset on.
-    local function is_filled(text, at, accepts, reported)
+    -- Tells whether whole frames of accepted types fill a text from an offset on, sensible ones if that is asked.
+    function finding.is_filled(text, at, accepts, reported, is_sensible)
         local places, stop = finding.frames_of(text, at, reported)
         for _, place in ipairs(places) do
             if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
+            local frame = is_sensible and sub(text, place + 1, stop_of(text, place))
+            if frame and not claiming.is_sensible(messages.read(frame)) then return false end
         end
-        return stop == reported
+        return stop == reported and places[1] ~= nil
     end
 
     local function is_split(starts, place, stop)
@@ -3347,7 +5153,7 @@ do
             local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
             local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
-            return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
+            return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}
         for index, start in ipairs(starts) do
@@ -3416,17 +5222,6 @@ do
         if is_inside and following_inside then return nil end
         return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
     end
-
-    -- Tells whether whole messages of accepted types fill the newest packet, which starts at `joint`: then the frame
-    -- before it, which is incomplete, was before a gap.
-    function finding.starts_anew(text, accepts, joint)
-        local places, stop = finding.frames_of(text, joint, #text)
-        for _, at in ipairs(places) do
-            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
-            if not accepts(message.type) or not claiming.is_sensible(message) then return false end
-        end
-        return stop == #text and places[1] ~= nil
-    end
 end
 
 -- Streams -----------------------------------------------------------------------------------------------------------
@@ -3451,20 +5246,20 @@ do
     end
 
     -- Adds bytes that are not a frame. Returns their item, nil without a tree.
-    local function add_bytes(tvb, at, stop, tree, is_shown, said, declared)
-        if not is_shown then return nil end
+    local function add_bytes(tvb, at, stop, tree, brick, said, declared)
+        if not brick then return nil end
         local range = tvb(at, stop - at)
-        local item = add_item(tree, range, said)
+        local item = add_item(tree, range, brick, said)
         item:add(declared, range)
         return item
     end
 
     -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
     -- zero of its answer, unless that zero is the start of a frame's length.
-    local function dissect_text(tvb, text, at, tree, is_shown)
+    local function dissect_text(tvb, text, at, tree, brick)
         local after, serial = match_unlock(text, at)
         if after then
-            local item = add_bytes(tvb, at, after, tree, is_shown, "unlock " .. serial, field.unlock)
+            local item = add_bytes(tvb, at, after, tree, brick, "unlock " .. serial, field.unlock)
             if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
             return "unlock " .. serial, after
         end
@@ -3472,7 +5267,7 @@ do
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        add_bytes(tvb, at, after, tree, is_shown, "accepted", field.accept)
+        add_bytes(tvb, at, after, tree, brick, "accepted", field.accept)
         return "accepted", after
     end
 
@@ -3502,8 +5297,8 @@ do
         return stop == #text and after - 1 or nil
     end
 
-    local function add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
-        complain(add_bytes(tvb, at, stop, tree, is_shown, said, field.rest) or tree, kind, reason)
+    local function add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
+        complain(add_bytes(tvb, at, stop, tree, brick, said, field.rest) or tree, kind, reason)
         return said, stop
     end
 
@@ -3531,13 +5326,13 @@ do
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, is_shown, plain, left_over, is_lost)
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
         local count = phrases.plural(stop - at, "byte")
         local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
         local reason = reason_of(length, plain, left_over, is_lost)
-        return add_faulty(tvb, at, stop, tree, is_shown, said, kind, reason)
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -3584,7 +5379,8 @@ do
         elseif code and step == "likely" and stop ~= #text then
             if is_misleading(text, at, stop, stream.accepts) then return nil end
         elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
-            and finding.starts_anew(text, stream.accepts, stream.joint) then
+            and finding.is_filled(text, stream.joint, stream.accepts, #text, true) then
+            -- Whole frames fill the newest packet: the frame before it, which is incomplete, was before a gap.
             return nil
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end
@@ -3617,21 +5413,25 @@ do
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
-    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
         local no_frame_at
         while at < captured do
             local said, after, verdict, wanted
             if UNLOCK.starts[byte(text, at + 1)] then
-                said, after = dissect_text(tvb, text, at, tree, is_shown)
+                said, after = dissect_text(tvb, text, at, tree, brick)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "sure" end
+                local is_again = said and conversation and conversation.number
+                if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
+                    dialogues.renew(conversation)
+                end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at
             if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
-                add_bytes(tvb, at, after, tree, is_shown, said, field.padding)
+                add_bytes(tvb, at, after, tree, brick, said, field.padding)
             end
             if not said then
                 local step_then
@@ -3641,7 +5441,7 @@ do
             if verdict == OURS and captured - at < HEADER_SIZE then
                 local kind, reason = "cut_off", "the frame is cut off in its header"
                 if is_cut_by_capture(tvb, captured, pinfo) then kind = "cut_by_capture" end
-                said, after = add_faulty(tvb, at, captured, tree, is_shown, "part of a frame", kind, reason)
+                said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
@@ -3650,12 +5450,12 @@ do
                 if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
-                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, is_shown)
+                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
             elseif not said then
                 after = step ~= "lost" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
-                    add_bytes(tvb, at, after, tree, is_shown, said, field.rest)
+                    add_bytes(tvb, at, after, tree, brick, said, field.rest)
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
                     local is_lost, place = step == "lost", storage.place_of(number, start + at)
@@ -3672,7 +5472,7 @@ do
                     step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
                     if after > at then
                         local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, is_shown, plain,
+                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
                             is_after and stop - at, is_lost)
                         lost = lost + after - at
                     end
@@ -3734,16 +5534,16 @@ do
     end
 
     local function dissect_report(tvb, message, device, pinfo, tree)
-        local number, offset, is_shown, captured = pinfo.number, offset_of(tvb), has_tree(tree), captured_len(tvb)
+        local number, offset, captured = pinfo.number, offset_of(tvb), captured_len(tvb)
         local command, line = message.command, nil
         if is_overwritten(message, pinfo) then
             message.is_overwritten = true
             line = "bootloader fault: reply to " .. command.name .. " overwritten by its request"
         end
         local stop, conversation = message.stop, not pinfo.visited and dialogues.conversation_of(device)
-        brick = is_shown and device
+        local brick = has_tree(tree) and device
         local place = storage.place_of(number, offset)
-        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, is_shown, line)
+        local said, item = dissect_message(tvb, 0, message, conversation, place, pinfo, tree, brick, line)
         if line then
             local reason = "a known fault of the EV3's bootloader on USB 3 ports: the reply to %s with the request"
                 .. " written over its first bytes"
@@ -3763,9 +5563,9 @@ do
     -- Dissects a brick's report that does not contain a frame.
     local function dissect_other_report(tvb, length, pinfo, tree)
         local captured = captured_len(tvb)
-        brick = device_key(pinfo)
+        local brick = has_tree(tree) and device_key(pinfo)
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree))))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, brick)))
         show(pinfo, tvb, tree)
         return captured
     end
@@ -4004,7 +5804,7 @@ do
     end
 
     -- Adds the incomplete frame at the end of a packet.
-    local function add_part(tree, tvb, size, packet)
+    local function add_part(tree, tvb, size, packet, brick)
         local range = tvb(math.max(tvb:len() - size, 0))
         local item = tree:add(ev3, range, "EV3: part of a frame")
         item:add(field.brick, brick):set_generated()
@@ -4041,15 +5841,15 @@ do
         end
         local packet = packets[number]
         if not packet then return 0 end
-        local is_shown, size, before = has_tree(tree), #piece, packet.before
-        brick = is_shown and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
+        local size, before = #piece, packet.before
+        local brick = has_tree(tree) and plain_address(packet.accepts == is_command and pinfo.dl_dst or pinfo.dl_src)
         start_line(number, tvb:offset())
         -- If the packet only continues a frame, there is nothing to dissect yet.
         if before or not packet.list then
             local text, whole = (before or "") .. piece, tvb
             if before then
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
-                if is_shown then add_joined(tree, tvb, packet) end
+                if brick then add_joined(tree, tvb, packet) end
             end
             local state = {
                 reported = #text,
@@ -4062,7 +5862,7 @@ do
                 accepts = packet.accepts,
             }
             local after, _, lost, step =
-                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, is_shown)
+                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
             size = #text - after
             if stream then
                 if size > 0 then
@@ -4075,7 +5875,7 @@ do
             end
         end
         if size > 0 then
-            if is_shown then add_part(tree, tvb, size, packet) end
+            if brick then add_part(tree, tvb, size, packet, brick) end
             say("part of a frame")
         end
         show(pinfo, tvb, tree)
@@ -4237,19 +6037,19 @@ do
 
         -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
-            local captured, offset, is_shown = #text, offset_of(tvb), has_tree(tree)
+            local captured, offset = #text, offset_of(tvb)
             if known and known.claims ~= conversation.claims then
                 known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
             local step, joint, done = step_of(known, text, offset, number, start)
-            brick = is_shown and (conversation or connection_of(pinfo)).name
+            local brick = has_tree(tree) and (conversation or connection_of(pinfo)).name
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
             if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
-                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, is_shown)))
+                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
                 local stream = {
@@ -4263,7 +6063,7 @@ do
                 }
                 local after, wanted
                 after, wanted, lost, step =
-                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, is_shown)
+                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
                 if after < captured then
                     pinfo.desegment_offset = after
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
@@ -4437,7 +6237,7 @@ do
         end
 
         local function dissect_beacon(tvb, text, tree, pinfo)
-            local item = has_tree(tree) and add_item(tree, tvb(), "beacon")
+            local item = has_tree(tree) and add_item(tree, tvb(), nil, "beacon")
             local at, values, port = 0, {}, nil
             for _, line in ipairs(CARRIERS.beacon_lines) do
                 local head = line.label .. ": "
@@ -4477,7 +6277,6 @@ do
         -- Dissects a brick's beacon, or a host's answer to it from or to the port of beacons.
         function dissect_udp(tvb, pinfo, tree)
             local text, number = tvb:raw(), pinfo.number
-            brick = nil
             local is_forced = pinfo.match_uint ~= CARRIERS.beacon_port and pinfo.match_uint ~= 0
             local said, port
             if is_beacon(tvb, text, is_forced) then
@@ -4485,9 +6284,10 @@ do
                 if not pinfo.visited then remember_brick(pinfo, port) end
             else
                 if not pinfo.visited then answers[number] = (entry_at(bricks, pinfo.dst, 0) or {}).name end
-                brick, said = answers[number], "answer to a beacon"
+                local brick = answers[number]
+                said = "answer to a beacon"
                 if not brick and not is_forced then return 0 end
-                if has_tree(tree) then add_item(tree, tvb(), said):add(field.beacon_answer, tvb()) end
+                if has_tree(tree) then add_item(tree, tvb(), brick, said):add(field.beacon_answer, tvb()) end
             end
             start_line(number, tvb:offset())
             say(said)
@@ -4591,4 +6391,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 6e778a8ca94b9d40
+-- Checksum of the lines above, by which a changed file is recognised: 84d613cbcce3188e

@@ -41,19 +41,18 @@ end
 
 -- Messages ----------------------------------------------------------------------------------------------------------
 
--- Functions that read a field of a message, by the field's name.
+-- What a field of a message is called here, or a function that reads it.
+local VALUES = {
+    ["ev3.msg_num"] = "counter", ["ev3.request_in"] = "request_in", ["ev3.transfer.path"] = "path",
+    ["ev3.transfer.done"] = "done", ["ev3.transfer.size"] = "size",
+}
 local READERS = {
-    ["ev3.msg_num"] = function(message, info) message.counter = info.value end,
     ["ev3.cmd_type"] = function(message, info)
         message.is_command = info.display:find("COMMAND", 1, true) ~= nil
         message.wants_reply = info.display:find("COMMAND_REPLY", 1, true) ~= nil
     end,
-    ["ev3.request_in"] = function(message, info) message.request_in = info.value end,
     ["ev3.response_time"] = function(message, info) message.delay = info.value:tonumber() end,
     ["ev3.data"] = function(message, info) message.data = info.value:raw() end,
-    ["ev3.transfer.path"] = function(message, info) message.path = info.value end,
-    ["ev3.transfer.done"] = function(message, info) message.done = info.value end,
-    ["ev3.transfer.size"] = function(message, info) message.size = info.value end,
     -- The field of a CMD has the name of the opcode, too.
     ["ev3.cmd"] = function(message, info) message.names[#message.names] = info.value end,
 }
@@ -83,6 +82,8 @@ local function read_messages(number)
                 names = {},
             }
             messages[#messages + 1] = message
+        elseif message and VALUES[name] then
+            message[VALUES[name]] = info.value
         elseif message and READERS[name] then
             READERS[name](message, info)
         end
@@ -392,4 +393,4 @@ function script.init()
         if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 4d5bdf1ebe9aae54
+-- Checksum of the lines above, by which a changed file is recognised: e1d7f34c6b867135

@@ -592,9 +592,9 @@ def _declared(operation: Operation, name: str) -> Parameter:
 def _is_natural(declared: Parameter) -> bool:
     """Returns whether the tables allow no negative number for an input: its field is unsigned."""
     domain = domain_of(declared)
-    if declared.direction is not Direction.IN or domain is None or not (declared.range or declared.enum):
+    if declared.direction is not Direction.IN or domain is None or not domain.spans:
         return False
-    return all(low >= 0 for low, _ in domain.spans) and all(number >= 0 for number in declared.special)
+    return min(domain.spans)[0] >= 0 and all(number >= 0 for number in declared.special)
 
 
 def _typed(operation: Operation, argument: Argument, value: int | float | str) -> tuple[str, Shown, str | None]:

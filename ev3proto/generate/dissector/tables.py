@@ -12,7 +12,7 @@ from ev3proto.capture import files
 from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
-from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
+from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing
@@ -70,8 +70,7 @@ def _sections() -> Iterator[tuple[str, str, Iterator[str]]]:
     )
     yield (
         "System commands",
-        "Number, name, description; request and reply have fields: name, kind, filter name, label; statuses are the\n"
-        "-- meanings of those other than SUCCESS.",
+        "Request and reply have fields; statuses are the meanings of those other than SUCCESS.",
         _system(),
     )
     yield "Daisy chain", "Messages between bricks that are connected by USB.", _daisy()
@@ -311,7 +310,7 @@ def _type(parameter: Parameter) -> Name:
 
 def _system() -> Iterator[str]:
     yield _assign("SYSTEM", Rows([_system_command(command) for command in SYSTEM]))
-    yield "for _, row in ipairs(SYSTEM) do\n    NAMES.system_commands[row[1]] = row[2]\nend\n\n"
+    yield "for _, command in ipairs(SYSTEM) do\n    NAMES.system_commands[command.number] = command.name\nend\n\n"
     statuses: dict[Any, object] = {
         "names": Table(named={status.value: status.name for status in SystemStatus}),
         "fails": Table(named={status.value: status.is_failure for status in SystemStatus}),
@@ -323,24 +322,26 @@ def _system() -> Iterator[str]:
 
 
 def _system_command(command: SystemDeclaration) -> Table:
-    named: dict[Any, object] = {}
+    named: dict[Any, object] = {"number": hexadecimal(command.number), "name": command.name, "text": command.text}
     for side in ("request", "reply"):
         fields: tuple[SystemField, ...] = getattr(command, side)
-        if fields:
-            named[side] = Table([_system_field(command, field) for field in fields])
+        named[side] = Table([_system_field(command, field) for field in fields])
     if command.transfer:
         named["transfer"] = command.transfer
     if command.bootloader:
-        named["bootloader"] = True
+        named["is_bootloader"] = True
     if command.is_long:
         named["is_long"] = True
-    if command.statuses:
-        named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
-    return Table([hexadecimal(command.number), command.name, command.text], named)
+    named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
+    return Table(named=named)
 
 
 def _system_field(command: SystemDeclaration, field: SystemField) -> Table:
-    named: dict[Any, object] = {}
+    named: dict[Any, object] = {
+        "name": field.name,
+        "kind": FIELD_KINDS[field.kind],
+        "filter": filter_name(command, field),
+    }
     if field.counts:
         named["counts"] = field.counts
     if field.optional:
@@ -349,7 +350,7 @@ def _system_field(command: SystemDeclaration, field: SystemField) -> Table:
         named["hexadecimal"] = True
     if field.is_message:
         named["is_message"] = True
-    return Table([field.name, FIELD_KINDS[field.kind], filter_name(command, field), label(field)], named)
+    return Table(named=named)
 
 
 def _daisy() -> Iterator[str]:

@@ -80,13 +80,15 @@ do
         return places, at
     end
 
-    -- Tells whether whole frames of accepted types fill a text from an offset on.
-    local function is_filled(text, at, accepts, reported)
+    -- Tells whether whole frames of accepted types fill a text from an offset on, sensible ones if that is asked.
+    function finding.is_filled(text, at, accepts, reported, is_sensible)
         local places, stop = finding.frames_of(text, at, reported)
         for _, place in ipairs(places) do
             if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
+            local frame = is_sensible and sub(text, place + 1, stop_of(text, place))
+            if frame and not claiming.is_sensible(messages.read(frame)) then return false end
         end
-        return stop == reported
+        return stop == reported and places[1] ~= nil
     end
 
     local function is_split(starts, place, stop)
@@ -128,7 +130,7 @@ do
             local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
             local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
-            return is_begin[place] and is_filled(text, place, accepts, reported) and SINGLE or nil
+            return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}
         for index, start in ipairs(starts) do
@@ -196,16 +198,5 @@ do
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
         return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
-    end
-
-    -- Tells whether whole messages of accepted types fill the newest packet, which starts at `joint`: then the frame
-    -- before it, which is incomplete, was before a gap.
-    function finding.starts_anew(text, accepts, joint)
-        local places, stop = finding.frames_of(text, joint, #text)
-        for _, at in ipairs(places) do
-            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
-            if not accepts(message.type) or not claiming.is_sensible(message) then return false end
-        end
-        return stop == #text and places[1] ~= nil
     end
 end

@@ -50,11 +50,11 @@ do
     local VALIDATED_AS = { [STRING] = DATA8, [LABEL] = DATA32 }
 
     -- Makes a parameter from its row in the tables; `value_name` is its name in the line of a reply.
-    local function ready_parameter(row, declared, kind, label, value_name)
-        local name, direction, type = row[1], row[2], row[3]
+    local function ready_parameter(row, value_name)
+        local name, direction, type, kind = row[1], row[2], row[3], row.kind
         local is_flags = row.enum and row.enum.is_flags
         return {
-            name = name, type = type, field = declared, kind = kind, is_float = type == DATAF, label = label,
+            name = name, type = type, field = row.field, kind = kind, is_float = type == DATAF, label = row.label,
             size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row),
             -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
@@ -127,36 +127,30 @@ do
 
     -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
     local function declare_operation(name, rows)
-        local operation = { name = name, rows = rows, first_field = #fields + 1 }
         for _, row in ipairs(rows) do
             local abbreviation, label, kind = described(name, row)
-            fields[#fields + 1] = parameter_field(abbreviation, row, kind, label, row[4])
-            if row[3] == COUNT then
-                fields[#fields + 1] = element_field(abbreviation .. ".item", row)
-            end
+            row.label, row.kind, row.field = label, kind, parameter_field(abbreviation, row, kind, label, row[4])
+            row.item_field = row[3] == COUNT and element_field(abbreviation .. ".item", row) or row.field
+            fields[#fields + 1] = row.field
+            if row[3] == COUNT then fields[#fields + 1] = row.item_field end
         end
-        return operation
+        return { name = name, rows = rows }
     end
 
     -- Adds the parameters to an operation on first use. Values after a count are in its `list`. Only operations of a
     -- family have a `cmd_name`.
     function prepare_operation(operation)
-        local name, at = operation.name, operation.first_field
-        local rows, by_name = operation.rows, {}
+        local name, rows, by_name = operation.name, operation.rows, {}
         operation.cmd_name, operation.rows, operation.parameters = name:match("%.(.+)$"), nil, {}
         for _, row in ipairs(rows) do
             local own, type = row[1], row[3]
-            local _, label, kind = described(name, row)
             -- The line of a reply names a VALUE after its command: VALUE of GET_VBATT is VBATT.
             local value_name = own == "VALUE" and name:match("%.GET_(.+)$") or own
-            local parameter = ready_parameter(row, fields[at], kind, label, value_name)
+            local parameter = ready_parameter(row, value_name)
             by_name[own] = parameter
-            if type ~= VALUES then
-                table.insert(operation.parameters, parameter)
-                at = at + 1
-            end
+            if type ~= VALUES then table.insert(operation.parameters, parameter) end
             if type == COUNT or type == VALUES then
-                operation.list = ready_list(parameter, row, fields[at])
+                operation.list = ready_list(parameter, row, row.item_field)
                 operation.list.counter = operation.parameters[#operation.parameters]
             end
         end
@@ -201,21 +195,14 @@ do
 
     -- System commands by number, with the fields of their messages.
     SYSTEM_COMMANDS = {}
-    for _, row in ipairs(SYSTEM) do
-        local command = {
-            name = row[2], text = row[3], request = row.request or {}, reply = row.reply or {},
-            transfer = row.transfer, is_bootloader = row.bootloader, statuses = row.statuses or {},
-            is_long = row.is_long,
-        }
+    for _, command in ipairs(SYSTEM) do
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
-                declared.name, declared.kind = declared[1], declared[2]
-                declared.filter, declared.label = declared[3], declared[4]
                 declared.field = field["system_" .. declared.filter]
                 command.has_message = command.has_message or declared.is_message
             end
         end
-        SYSTEM_COMMANDS[row[1]] = command
+        SYSTEM_COMMANDS[command.number] = command
     end
 end
 

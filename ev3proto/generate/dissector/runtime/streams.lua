@@ -153,7 +153,8 @@ do
         elseif code and step == "likely" and stop ~= #text then
             if is_misleading(text, at, stop, stream.accepts) then return nil end
         elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
-            and finding.starts_anew(text, stream.accepts, stream.joint) then
+            and finding.is_filled(text, stream.joint, stream.accepts, #text, true) then
+            -- Whole frames fill the newest packet: the frame before it, which is incomplete, was before a gap.
             return nil
         end
         if stream.is_last or code and stop <= stream.reported then return OURS end

@@ -118,7 +118,7 @@ def test_a_file_of_another_size_than_announced_is_marked(tshark: Tshark) -> None
 
 
 def test_faults_of_operations_and_mailboxes_are_marked(tshark: Tshark) -> None:
-    """A zero at the end, which is no operation, by which the error reply is explained; what no mailbox holds."""
+    """A zero at the end, by which the error reply is explained; what is too long for a mailbox."""
     capture = Capture(RAW_IP)
     stream = Connection(capture)
     never = "0x00 is ERROR, which the firmware never runs (E201)"

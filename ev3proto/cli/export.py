@@ -25,7 +25,7 @@ from ev3proto.cli.output import (
 )
 from ev3proto.cli.reading import Problems, named, reading_options
 from ev3proto.errors import BuildError
-from ev3proto.generate import output_schemas
+from ev3proto.generate import output_schemas, vectors
 from ev3proto.generate.captures import CaptureWriter, TimedFrame
 from ev3proto.generate.cheader import build as header
 from ev3proto.generate.exported import EXPORTED
@@ -126,6 +126,19 @@ def output_schema(output: Path | None, check: bool) -> None:
       ev3proto export output-schema -o ev3-output.schema.json
     """  # noqa: D301
     write_text(output_schemas.build(), output, check=check)
+
+
+@export.command("vectors")
+@output_options
+def test_vectors(output: Path | None, check: bool) -> None:
+    """Writes ev3-vectors.jsonl: frames and what each says, valid and faulty, to test decoders in any language.
+
+    Each line is an object: `frame`, for replies the `request` that they answer, and the `message` of decode --json.
+
+    \b
+      ev3proto export vectors | head -n 3 | jq .message
+    """  # noqa: D301
+    write_text(vectors.build(), output, check=check)
 
 
 @export.command("all")

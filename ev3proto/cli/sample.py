@@ -7,15 +7,19 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from itertools import islice
+from random import Random
 
 import click
 
 from ev3proto.cli.formats import formats_of, made
 from ev3proto.cli.options import AREA, AREAS_HELP, Whole, dialect_option, exclusive
 from ev3proto.cli.output import Failure, complain, put, say
-from ev3proto.dialogue import Exchange
+from ev3proto.dialogue import Exchange, values_of
 from ev3proto.extras import install_command
+from ev3proto.messages import DirectCommand, Message
+from ev3proto.schema.constructors import direct_reply
 from ev3proto.schema.frame import parse
+from ev3proto.schema.header import MOST_IN_REPLY
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.forms import as_hex
 from ev3proto.text.phrases import Seen
@@ -44,6 +48,9 @@ MOST_SEEDS = 1 << 64
 )
 @click.option("--mutate", is_flag=True, help="Change, cut or lengthen the frames.")
 @click.option(
+    "--replies", is_flag=True, help="Write a reply of random memory after each direct command that wants one."
+)
+@click.option(
     "--format",
     "style",
     type=click.Choice(("hex", "raw", *formats_of("message"))),
@@ -62,6 +69,7 @@ def sample(
     accepted: bool,
     carrier: str | None,
     mutate: bool,
+    replies: bool,
     style: str,
     dialect: str,
 ) -> None:
@@ -75,6 +83,7 @@ def sample(
       ev3proto sample --accepted --area sound | ev3proto send virtual
       ev3proto sample --op SOUND --op UI_DRAW.LINE --format asm
       ev3proto sample --type system-reply --mutate --format raw | my_decoder
+      ev3proto sample --op INPUT_DEVICE --replies --format json
     """  # noqa: D301 - the mark by which click leaves lines as they are
     # Hypothesis would write a database, which samples do not need.
     os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", os.devnull)
@@ -92,26 +101,37 @@ def sample(
         found = samples(strategy(dialect, choice(names=names, areas=areas, types=types, dialect=dialect)), seed)
     except ValueError as error:
         raise click.UsageError(str(error)) from None
-    write = _writer(style, dialect)
+    write, random = _writer(style, dialect), Random(seed)
     written = 0
     for frame in islice(found, min(count, sys.maxsize)):
-        write(frame)
+        write(frame, None)
+        if replies and (reply := _reply(parse(frame, strict=False, dialect=dialect), random)) is not None:
+            write(reply, frame)
         written += 1
     if written < count:
         complain(f"found only {written} different frames of this kind")
 
 
-def _writer(style: str, dialect: str) -> Callable[[bytes], object]:
-    """Returns a function that writes one frame to standard output."""
+def _reply(command: Message, random: Random) -> bytes | None:
+    """Returns a reply to a direct command; None to other frames."""
+    if not isinstance(command, DirectCommand) or not command.wants_reply:
+        return None
+    memory = random.randbytes(min(command.global_size, MOST_IN_REPLY))
+    return direct_reply(memory, counter=command.counter).build()
+
+
+def _writer(style: str, dialect: str) -> Callable[[bytes, bytes | None], object]:
+    """Returns a function that writes one frame to standard output, and knows the command that it answers."""
     if style == "raw":
-        return lambda frame: put(frame, None)
+        return lambda frame, _: put(frame, None)
     show = None if style == "hex" else made(style)
 
-    def write(frame: bytes) -> None:
+    def write(frame: bytes, request: bytes | None) -> None:
         message = parse(frame, strict=False, dialect=dialect)
+        asked = None if request is None else parse(request, strict=False, dialect=dialect)
         if show is None:
             say(as_hex(message))
         else:
-            show.message(Exchange(message), Seen())
+            show.message(Exchange(message, asked, values_of(message, asked)), Seen())
 
     return write

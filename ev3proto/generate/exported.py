@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ev3proto.generate import output_schemas
+from ev3proto.generate import output_schemas, vectors
 from ev3proto.generate.cheader import build as cheader
 from ev3proto.generate.javascript import build as javascript
 from ev3proto.generate.javascript import decoder
@@ -27,5 +27,6 @@ EXPORTED: dict[str, Callable[[], str]] = {
     tables_json.TABLES_NAME: tables_json.build_tables,
     tables_json.SCHEMA_NAME: tables_json.build_schema,
     output_schemas.FILE_NAME: output_schemas.build,
+    vectors.FILE_NAME: vectors.build,
 }
 """Each file's name and the function that makes its text."""

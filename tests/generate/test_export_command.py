@@ -28,6 +28,7 @@ COMMANDS = {
     "ev3-tables.json": "json",
     "ev3-tables.schema.json": "json-schema",
     "ev3-output.schema.json": "output-schema",
+    "ev3-vectors.jsonl": "vectors",
 }
 FILES = {name: (command, (ROOT / "exports" / name).read_text()) for name, command in COMMANDS.items()}
 

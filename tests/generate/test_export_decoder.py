@@ -90,6 +90,14 @@ def test_drawn_frames_of_all_kinds() -> None:
     assert_equal(cases)
 
 
+def test_the_test_vectors() -> None:
+    vectors = [json.loads(line) for line in built_export("ev3-vectors.jsonl").read_text().splitlines()]
+    told = answers("decode", [[each["frame"], each.get("request"), "official"] for each in vectors])
+    assert [found for found, each in zip(told, vectors, strict=True) if found != each["message"]][:1] == []
+    assert len({each["message"]["kind"] for each in vectors}) == 7, "every kind, and unknown"
+    assert {"fault" in each["message"] for each in vectors} == {"request" in each for each in vectors} == {True, False}
+
+
 READING = ("INPUT_DEVICE", "INPUT_READ", "INPUT_READSI", "INPUT_READEXT")
 
 

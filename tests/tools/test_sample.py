@@ -284,3 +284,14 @@ def test_values_of_a_parameter_include_not_a_number() -> None:
 def test_failed_draws_with_examples_between_them_do_not_end_the_samples() -> None:
     sometimes = st.booleans().filter(lambda drawn: drawn)
     assert len(list(islice(samples(sometimes, 1), 9000))) == 9000
+
+
+def test_replies_follow_their_commands_and_have_values() -> None:
+    done = run(
+        "--op", "UI_READ.GET_VBATT", "--type", "DIRECT_COMMAND_REPLY", "--replies", "-n", "20", "--format", "json"
+    )
+    assert done.exit_code == 0
+    found = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [each["kind"] for each in found] == ["direct-command", "direct-reply"] * 20
+    assert all(command["counter"] == reply["counter"] for command, reply in zip(found[::2], found[1::2], strict=True))
+    assert {value["name"] for reply in found[1::2] for value in reply["values"]} == {"VALUE"}

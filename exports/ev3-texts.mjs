@@ -3,7 +3,7 @@
  *
  *     import { texts } from "./ev3-texts.mjs";
  *
- *     texts.operations["SOUND.TONE"].text; // "Plays a tone", ...
+ *     texts.operations["SOUND.TONE"].text; // Plays one tone and returns at once
  *
  * This file is made by ev3proto 0.2.0 from its tables (ev3proto export javascript --texts): change those, not this.
  */

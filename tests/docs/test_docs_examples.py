@@ -226,9 +226,11 @@ def test_the_transfer_on_the_page_of_the_protocol_is_what_a_brick_says(tmp_path:
 def node_client(tmp_path: Path) -> Path:
     """A folder with the client that docs/howto/client.md shows."""
     page = ROOT / "docs" / "howto" / "client.md"
-    for name, program in zip(("client.js", "robot.js"), blocks(page, "javascript"), strict=True):
+    for name, program in zip(("client.mjs", "robot.mjs"), blocks(page, "javascript"), strict=True):
         (tmp_path / name).write_text(program)
-    assert (tmp_path / "client.js").read_text().count("\n") == 106
+    for name in ("ev3.mjs", "ev3-decode.mjs"):
+        (tmp_path / name).symlink_to(ROOT / "exports" / name)
+    assert (tmp_path / "client.mjs").read_text().count("\n") == 94
     return tmp_path
 
 
@@ -243,33 +245,32 @@ def test_the_client_in_javascript_works_with_the_virtual_brick(node_client: Path
     (shown,) = blocks(ROOT / "docs" / "howto" / "client.md", "text")
     address = f"127.0.0.1:{session.port}"
     assert brick == f"listening on 127.0.0.1:{PORT}\n"
-    assert node(node_client, "robot.js", address) == shown
-    assert node(node_client, "robot.js", address) == shown, "the brick serves the next client"
+    assert node(node_client, "robot.mjs", address) == shown
+    assert node(node_client, "robot.mjs", address) == shown, "the brick serves the next client"
 
 
 def test_the_client_in_javascript_gives_each_command_its_reply(node_client: Path, session: Session) -> None:
     session.run("ev3proto brick --no-beacon --quiet --delay 0.05")
     program = f"""
-        const {{ Brick, LC, LCS, GV }} = require("./client");
-        (async () => {{
-          const brick = await Brick.connect({{ host: "127.0.0.1", port: {session.port} }});
-          const op = (opcode, ...parts) => Buffer.concat([Buffer.from([opcode]), ...parts]);
-          const move = (n) => op(0x3a, LC(n), GV(40));
-          const asked = [7, 300, -70000].map((n) => brick.direct([move(n)], {{ globals: 44 }}));
-          asked.push(brick.direct([op(0x82, LC(8), LCS("text"))]));
-          for (const memory of await Promise.all(asked)) console.log(memory.length && memory.readInt32LE(40));
-          console.log(await brick.direct([move(1)], {{ reply: false }}));
-          brick.close();
-        }})();
+        import {{ Brick }} from "./client.mjs";
+        import {{ GV, ops }} from "./ev3.mjs";
+        const brick = await Brick.connect({{ host: "127.0.0.1", port: {session.port} }});
+        const move = (n) => ops.MOVE32_32(n, GV(40));
+        const asked = [7, 300, -70000].map((n) => brick.direct([move(n)], {{ globals: 44 }}));
+        asked.push(brick.direct([ops.UI_WRITE.PUT_STRING("text")]));
+        for (const [output] of await Promise.all(asked)) console.log(output?.name, output?.value);
+        console.log(await brick.direct([move(1)], {{ reply: false }}));
+        brick.close();
     """
-    assert node(node_client, "-e", program) == "7\n300\n-70000\n0\nnull\n"
+    expected = "DESTINATION 7\nDESTINATION 300\nDESTINATION -70000\nundefined undefined\nnull\n"
+    assert node(node_client, "--input-type=module", "-e", program) == expected
 
 
 def test_the_client_in_javascript_finds_a_brick_by_its_beacon(node_client: Path) -> None:
     port = free_udp_port()
-    program = f"require('./client').find({port}).then((brick) => console.log(JSON.stringify(brick)))"
+    program = f"import {{ find }} from './client.mjs'; console.log(JSON.stringify(await find({port})))"
     with Announcing("0016533f0c1e", 5556, to=port):
-        found = json.loads(node(node_client, "-e", program))
+        found = json.loads(node(node_client, "--input-type=module", "-e", program))
     assert found == {"host": "127.0.0.1", "port": 5556, "serial": "0016533f0c1e", "name": "robot"}
 
 

@@ -35,7 +35,7 @@ _DECODER = """\
 _TEXTS = """\
  *     import { texts } from "./ev3-texts.mjs";
  *
- *     texts.operations["SOUND.TONE"].text; // "Plays a tone", ..."""
+ *     texts.operations["SOUND.TONE"].text; // Plays one tone and returns at once"""
 
 _ENTRY = ("number", "name", "dialects", "parameters", "commands")
 _PARAMETER = (

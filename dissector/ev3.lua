@@ -2748,8 +2748,8 @@ do
     end
 end
 
--- Adds the item of a frame, or of a text around frames. Without `said` its text comes later. The name of the `brick` of a
--- packet is passed on to all that shows its parts, and is false without a tree.
+-- Adds the item of a frame, or of a text around frames. Without `said` its text comes later. `brick` is the name of the
+-- packet's brick; functions that show its parts get it, false without a tree.
 local add_item
 do
     -- Looking up methods of items takes time; frequent ones are local.
@@ -3039,6 +3039,13 @@ do
         return high and low + high * 0x100
     end
 
+    -- Returns the bytes of global and local memory that a direct command requests.
+    function reading.memory_sizes(text)
+        local sizes = reading.unsigned16(text, HEADER_SIZE)
+        local globals = sizes % (GLOBAL_MASK + 1)
+        return globals, (sizes - globals) / (GLOBAL_MASK + 1)
+    end
+
     local function signed8(text, at)
         local low = byte(text, at + 1)
         return low and low >= 0x80 and low - 0x100 or low
@@ -3049,12 +3056,10 @@ do
         return high and low + 0x100 * (high < 0x80 and high or high - 0x100)
     end
 
-    local function unsigned32(text, at)
-        return at + 4 <= #text and unpack("<I4", text, at + 1) or nil
-    end
-
-    local function signed32(text, at)
-        return at + 4 <= #text and unpack("<i4", text, at + 1) or nil
+    local function reader32(form)
+        return function(text, at)
+            return at + 4 <= #text and unpack(form, text, at + 1) or nil
+        end
     end
 
     local function single(text, at)
@@ -3064,10 +3069,10 @@ do
         return value == value and value or NAN
     end
 
-    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }
-    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
+    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = reader32("<I4") }
+    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = reader32("<i4") }
     reading.READ_TYPE = {
-        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16,
+        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = READ_SIGNED[4], [DATAF] = single, [HANDLE] = signed16,
     }
 
     -- By identification byte: its encoding and, for short forms, the value.
@@ -3557,11 +3562,9 @@ do
     -- commands waited; `transfers`, by place, the state of a message's file.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
 
-    -- One string for equal bodies, up to a number of them.
-    local shared, shared_count, conversations
-
-    -- The number of the newest conversation; by packet, that of its conversation, if it is not the first.
-    local newest_number, numbers
+    -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
+    -- packet that of its conversation, if it is not the first.
+    local shared, shared_count, conversations, newest_number, numbers
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
@@ -3597,8 +3600,7 @@ do
         return nil, at ~= nil and owners[at].newest - times[at] > GIVEN_UP
     end
 
-    -- Returns the file that a message belongs to: path, size, bytes done, and whether it `is_closed` by the message, or
-    -- `is_longer` from it on than announced.
+    -- Returns the file that a message belongs to: path, size, and bytes done.
     function dialogues.transfer_at(place)
         return transfers[place]
     end
@@ -3632,18 +3634,9 @@ do
         conversation.number, conversation.longest = nil, nil
     end
 
-    -- Returns the number of the conversation of a packet with messages.
-    function dialogues.conversation_at(packet)
-        return numbers[packet] or 1
-    end
-
-    -- A conversation gets the next number with its first message.
-    local function number_packet(conversation, packet)
-        if not conversation.number then
-            newest_number = newest_number + 1
-            conversation.number = newest_number
-        end
-        if conversation.number > 1 then numbers[packet] = conversation.number end
+    -- Returns the number of the conversation of a message. It gets the next one with its first message.
+    function dialogues.number_at(place)
+        return numbers[storage.number_of(place)] or 1
     end
 
     -- Returns what a reply has in common with its command.
@@ -3651,10 +3644,6 @@ do
         local carries = message.type.carries
         local number = carries == "system" and byte(message.text, HEADER_SIZE + 1) or 0
         return CARRIES[carries] + message.counter + NUMBERS * number
-    end
-
-    local function nanoseconds(pinfo)
-        return floor(pinfo.rel_ts * 1e9 + 0.5)
     end
 
     local function remember(conversation, place, message, now)
@@ -3784,9 +3773,10 @@ do
     function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
-        local now, transfer = nanoseconds(pinfo), nil
+        local now, transfer = floor(pinfo.rel_ts * 1e9 + 0.5), nil
         conversation.newest = now
-        number_packet(conversation, storage.number_of(place))
+        if not conversation.number then newest_number, conversation.number = newest_number + 1, newest_number + 1 end
+        if conversation.number > 1 then numbers[storage.number_of(place)] = conversation.number end
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then
@@ -4017,11 +4007,6 @@ do
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(run, at, parameter, encoding, value)
-        local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
-        if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
-    end
-
     -- Appends an argument to the line of its operation.
     local function say_argument(run, parameter, encoding, value)
         run.count = run.count + 1
@@ -4067,7 +4052,8 @@ do
             end
             local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(run, at, parameter, encoding, value)
+                local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
+                if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
             end
         end
         if steps then add_encoding(steps, encoding) end
@@ -4125,12 +4111,6 @@ do
         }
     end
 
-    local function memory_sizes(text)
-        local sizes = reading.unsigned16(text, HEADER_SIZE)
-        local asked_globals = sizes % (GLOBAL_MASK + 1)
-        return asked_globals, (sizes - asked_globals) / (GLOBAL_MASK + 1)
-    end
-
     -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
     -- Each holds about as much for its tables as the second number, besides its body.
@@ -4161,7 +4141,7 @@ do
         if kept and (kept.steps or not wants_steps) then return kept, kept.steps end
         local text = HEADER .. body
         if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
-        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
+        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, reading.memory_sizes(text))
         local steps = summary.steps
         keep(body, summary, kept and kept.is_shown)
         return summary, steps
@@ -4193,25 +4173,6 @@ do
         return show(summary, summary.steps, payload, view)
     end
 
-    -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.
-    local function inputs_of(body)
-        local text, at, by_name = HEADER .. body, COMMAND_HEADER_SIZE, {}
-        while at < #text do
-            local inputs = { at = at }
-            local operation, after, _, reason = reading.read_operation(text, at, function(parameter, encoding, value)
-                if parameter.key then
-                    inputs[#inputs + 1] = sub(parameter.key, 2) .. argument_text(parameter, encoding, value)
-                end
-            end)
-            if not operation then break end
-            by_name[operation.name] = by_name[operation.name] or {}
-            table.insert(by_name[operation.name], inputs)
-            if reason then break end
-            at = after
-        end
-        return by_name
-    end
-
     -- Gives each operation of a list the inputs that tell it apart from the others, as few of the first ones as do.
     local function tell_apart(list, telling)
         local count = 1
@@ -4231,8 +4192,19 @@ do
 
     -- Gives the outputs of operations that have the same name a `telling`: the inputs in which these differ.
     local function add_tellings(outputs, body)
-        local telling = {}
-        for _, list in pairs(inputs_of(body)) do
+        local text, at, reason, by_name, telling = HEADER .. body, COMMAND_HEADER_SIZE, nil, {}, {}
+        while at < #text and not reason do
+            local inputs = { at = at }
+            local operation, after, _, fault = reading.read_operation(text, at, function(parameter, encoding, value)
+                local key = parameter.key
+                if key then inputs[#inputs + 1] = sub(key, 2) .. argument_text(parameter, encoding, value) end
+            end)
+            local list = operation and by_name[operation.name] or {}
+            list[#list + 1] = inputs
+            if operation then by_name[operation.name] = list end
+            at, reason = after, fault
+        end
+        for _, list in pairs(by_name) do
             if list[2] then tell_apart(list, telling) end
         end
         for _, output in ipairs(outputs) do
@@ -4387,14 +4359,6 @@ do
         return meanings
     end
 
-    local function message_text(payload)
-        local texts = {}
-        for _, meaning in ipairs(meanings_of(payload)) do
-            texts[#texts + 1] = meaning.text
-        end
-        return texts[1] and concat(texts, " or ")
-    end
-
     -- Returns the main values of a system message: its texts, and the amount of data.
     local function fields_text(message)
         local pieces = {}
@@ -4404,8 +4368,11 @@ do
             if kind == TEXT or kind == COUNTED_TEXT then
                 pieces[#pieces + 1] = " " .. phrases.shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                local meaning = declared.is_message and message_text(value)
-                pieces[#pieces + 1] = " " .. (meaning or phrases.plural(#value, "byte"))
+                local texts = {}
+                for index, meaning in ipairs(declared.is_message and meanings_of(value) or {}) do
+                    texts[index] = meaning.text
+                end
+                pieces[#pieces + 1] = " " .. (texts[1] and concat(texts, " or ") or phrases.plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -4639,7 +4606,7 @@ do
     local function add_frame(tree, tvb, base, message, place, brick)
         local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range, brick)
-        set_generated(add(item, field.connection, dialogues.conversation_at(storage.number_of(place))))
+        set_generated(add(item, field.connection, dialogues.number_at(place)))
         -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))
@@ -4856,9 +4823,8 @@ do
 
     -- The same for all operations of a direct command by a firmware's instructions; at least one must be evidence.
     local function fits(text, stop, is_cut, set)
-        local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
-        local globals = memory % (GLOBAL_MASK + 1)
-        local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
+        local sizes, is_right, is_telling = {}, true, false
+        sizes[GLOBAL], sizes[LOCAL] = reading.memory_sizes(text)
         local function visit(parameter, encoding, value)
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end
@@ -5285,8 +5251,7 @@ do
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- Returns the offset after the rest of a text from an earlier segment: its newlines, or the zero after the answer.
-    -- A faulty frame may start like that, too, so frames must follow.
+    -- Returns the offset after the newlines or the zero that end a text of an earlier segment; frames must follow.
     local function end_of_text(text, at)
         local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
         local stop = after and after - 1
@@ -5327,12 +5292,11 @@ do
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
     function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
-        local count = phrases.plural(stop - at, "byte")
-        local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
+        local said = plain and format("text, not a frame: %.60s", plain)
+            or format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
-        local reason = reason_of(length, plain, left_over, is_lost)
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_lost))
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -5501,10 +5465,6 @@ do
         return pinfo.src_port == HOST
     end
 
-    local function is_control(pinfo)
-        return pinfo.src_port == 0 or pinfo.dst_port == 0
-    end
-
     -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
         local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
@@ -5560,22 +5520,16 @@ do
         return captured
     end
 
-    -- Dissects a brick's report that does not contain a frame.
-    local function dissect_other_report(tvb, length, pinfo, tree)
-        local captured = captured_len(tvb)
-        local brick = has_tree(tree) and device_key(pinfo)
+    -- Dissects any report of a brick, except of control transfers. Returns 0 if it is too short for a frame.
+    local function dissect_known(tvb, pinfo, tree)
+        local captured, device = captured_len(tvb), device_key(pinfo)
+        if pinfo.src_port == 0 or pinfo.dst_port == 0 or captured < HEADER_SIZE then return 0 end
+        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        if is_usual_length(length) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, brick)))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree) and device)))
         show(pinfo, tvb, tree)
         return captured
-    end
-
-    -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
-    local function dissect_known(tvb, pinfo, tree)
-        if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
-        return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
     -- Wireshark calls this for all transfers of a known or chosen device. Bulk transfers are not ours: other
@@ -5701,12 +5655,6 @@ do
         end
     end
 
-    -- Tells whether a text is the incomplete beginning of a frame.
-    local function is_part(text)
-        local stop = stop_of(text, 0)
-        return not stop or is_length(text, 0) and stop > #text
-    end
-
     -- Keeps the waiting bytes and those of the newest packet, from an offset on. `list` has the numbers of their
     -- packets, `starts` where each packet begins in them.
     local function keep(stream, text, place, number)
@@ -5769,7 +5717,8 @@ do
     -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
     local function waits(stream, text, accepts, joint)
         if stream.step ~= "lost" then
-            local part = is_part(text)
+            local stop = stop_of(text, 0)
+            local part = not stop or is_length(text, 0) and stop > #text
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1
@@ -5971,12 +5920,6 @@ do
         buffers, connections = {}, {}
     end
 
-    -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
-    -- is the brick.
-    local function has_two_named(pinfo)
-        return ports[pinfo.src_port] and ports[pinfo.dst_port]
-    end
-
     -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
         return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
@@ -5993,11 +5936,6 @@ do
 
     local dissect_claimed
     do
-        -- Returns which types go in the direction of a packet.
-        local function types_of(pinfo, conversation)
-            return is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick or comes_from_brick
-        end
-
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
         -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. TCP joins segments
         -- only if nothing is missing between them: then the buffer has the offset 0 and begins with what waits. Bytes
@@ -6059,7 +5997,8 @@ do
                     start = done,
                     joint = joint,
                     first = 0,
-                    accepts = types_of(pinfo, conversation),
+                    accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
+                        or comes_from_brick,
                 }
                 local after, wanted
                 after, wanted, lost, step =
@@ -6120,7 +6059,10 @@ do
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, found, place = streaming.judge_text(text), CHAIN, 0
             if verdict == PART then return OPEN, 0 end
-            if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
+            -- If the preference includes the ports of both ends, as a wide range may, the data tell which is the brick.
+            if verdict == OURS or ports[pinfo.src_port] and ports[pinfo.dst_port] then
+                to_brick = tells_brick(text, verdict ~= nil, pinfo)
+            end
             if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, "sure")
             else
@@ -6391,4 +6333,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 84d613cbcce3188e
+-- Checksum of the lines above, by which a changed file is recognised: f5537ef7bfb699f3

@@ -50,12 +50,6 @@ do
         end
     end
 
-    -- Tells whether a text is the incomplete beginning of a frame.
-    local function is_part(text)
-        local stop = stop_of(text, 0)
-        return not stop or is_length(text, 0) and stop > #text
-    end
-
     -- Keeps the waiting bytes and those of the newest packet, from an offset on. `list` has the numbers of their
     -- packets, `starts` where each packet begins in them.
     local function keep(stream, text, place, number)
@@ -118,7 +112,8 @@ do
     -- Tells whether all of a text has to wait for more; the newest packet starts at `joint`.
     local function waits(stream, text, accepts, joint)
         if stream.step ~= "lost" then
-            local part = is_part(text)
+            local stop = stop_of(text, 0)
+            local part = not stop or is_length(text, 0) and stop > #text
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1

@@ -51,9 +51,8 @@ do
 
     -- The same for all operations of a direct command by a firmware's instructions; at least one must be evidence.
     local function fits(text, stop, is_cut, set)
-        local memory, is_right, is_telling = reading.unsigned16(text, HEADER_SIZE), true, false
-        local globals = memory % (GLOBAL_MASK + 1)
-        local sizes = { [GLOBAL] = globals, [LOCAL] = (memory - globals) / (GLOBAL_MASK + 1) }
+        local sizes, is_right, is_telling = {}, true, false
+        sizes[GLOBAL], sizes[LOCAL] = reading.memory_sizes(text)
         local function visit(parameter, encoding, value)
             is_right = is_right and is_in_place(parameter, encoding, value, sizes)
         end

@@ -24,11 +24,9 @@ do
     -- commands waited; `transfers`, by place, the state of a message's file.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
 
-    -- One string for equal bodies, up to a number of them.
-    local shared, shared_count, conversations
-
-    -- The number of the newest conversation; by packet, that of its conversation, if it is not the first.
-    local newest_number, numbers
+    -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
+    -- packet that of its conversation, if it is not the first.
+    local shared, shared_count, conversations, newest_number, numbers
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
@@ -64,8 +62,7 @@ do
         return nil, at ~= nil and owners[at].newest - times[at] > GIVEN_UP
     end
 
-    -- Returns the file that a message belongs to: path, size, bytes done, and whether it `is_closed` by the message, or
-    -- `is_longer` from it on than announced.
+    -- Returns the file that a message belongs to: path, size, and bytes done.
     function dialogues.transfer_at(place)
         return transfers[place]
     end
@@ -99,18 +96,9 @@ do
         conversation.number, conversation.longest = nil, nil
     end
 
-    -- Returns the number of the conversation of a packet with messages.
-    function dialogues.conversation_at(packet)
-        return numbers[packet] or 1
-    end
-
-    -- A conversation gets the next number with its first message.
-    local function number_packet(conversation, packet)
-        if not conversation.number then
-            newest_number = newest_number + 1
-            conversation.number = newest_number
-        end
-        if conversation.number > 1 then numbers[packet] = conversation.number end
+    -- Returns the number of the conversation of a message. It gets the next one with its first message.
+    function dialogues.number_at(place)
+        return numbers[storage.number_of(place)] or 1
     end
 
     -- Returns what a reply has in common with its command.
@@ -118,10 +106,6 @@ do
         local carries = message.type.carries
         local number = carries == "system" and byte(message.text, HEADER_SIZE + 1) or 0
         return CARRIES[carries] + message.counter + NUMBERS * number
-    end
-
-    local function nanoseconds(pinfo)
-        return floor(pinfo.rel_ts * 1e9 + 0.5)
     end
 
     local function remember(conversation, place, message, now)
@@ -251,9 +235,10 @@ do
     function dialogues.take_note(place, conversation, message, pinfo)
         local type = message.type
         local is_on_file = message.command and message.command.transfer
-        local now, transfer = nanoseconds(pinfo), nil
+        local now, transfer = floor(pinfo.rel_ts * 1e9 + 0.5), nil
         conversation.newest = now
-        number_packet(conversation, storage.number_of(place))
+        if not conversation.number then newest_number, conversation.number = newest_number + 1, newest_number + 1 end
+        if conversation.number > 1 then numbers[storage.number_of(place)] = conversation.number end
         if not type or message.is_overwritten then return end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then

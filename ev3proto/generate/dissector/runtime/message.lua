@@ -130,14 +130,6 @@ do
         return meanings
     end
 
-    local function message_text(payload)
-        local texts = {}
-        for _, meaning in ipairs(meanings_of(payload)) do
-            texts[#texts + 1] = meaning.text
-        end
-        return texts[1] and concat(texts, " or ")
-    end
-
     -- Returns the main values of a system message: its texts, and the amount of data.
     local function fields_text(message)
         local pieces = {}
@@ -147,8 +139,11 @@ do
             if kind == TEXT or kind == COUNTED_TEXT then
                 pieces[#pieces + 1] = " " .. phrases.shortened(value)
             elseif kind == BYTES or kind == LISTING then
-                local meaning = declared.is_message and message_text(value)
-                pieces[#pieces + 1] = " " .. (meaning or phrases.plural(#value, "byte"))
+                local texts = {}
+                for index, meaning in ipairs(declared.is_message and meanings_of(value) or {}) do
+                    texts[index] = meaning.text
+                end
+                pieces[#pieces + 1] = " " .. (texts[1] and concat(texts, " or ") or phrases.plural(#value, "byte"))
             elseif not declared.counts and declared.name ~= "handle" then
                 pieces[#pieces + 1] = format(declared.hexadecimal and " %s=0x%X" or " %s=%d", declared.filter, value)
             end
@@ -382,7 +377,7 @@ do
     local function add_frame(tree, tvb, base, message, place, brick)
         local range = new_range(tvb, base, message.stop)
         local item = add_item(tree, range, brick)
-        set_generated(add(item, field.connection, dialogues.conversation_at(storage.number_of(place))))
+        set_generated(add(item, field.connection, dialogues.number_at(place)))
         -- A range costs more than an item: the length shares the frame's.
         set_len(add(item, field.length, range, message.size - LENGTH_FIELD), LENGTH_FIELD)
         add_le(item, field.counter, new_range(tvb, base + LENGTH_FIELD, 2))

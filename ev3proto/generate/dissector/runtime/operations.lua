@@ -129,11 +129,6 @@ do
             parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
     end
 
-    local function check_constant(run, at, parameter, encoding, value)
-        local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
-        if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
-    end
-
     -- Appends an argument to the line of its operation.
     local function say_argument(run, parameter, encoding, value)
         run.count = run.count + 1
@@ -179,7 +174,8 @@ do
             end
             local range = not parameter.is_float and parameter.range
             if encoding.kind ~= CONSTANT or not range or not (value >= range[1] and value <= range[2]) then
-                check_constant(run, at, parameter, encoding, value)
+                local reason, code = misuse_of(parameter, encoding, value, run.operation.name, byte(run.text, at + 1))
+                if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
             end
         end
         if steps then add_encoding(steps, encoding) end
@@ -237,12 +233,6 @@ do
         }
     end
 
-    local function memory_sizes(text)
-        local sizes = reading.unsigned16(text, HEADER_SIZE)
-        local asked_globals = sizes % (GLOBAL_MASK + 1)
-        return asked_globals, (sizes - asked_globals) / (GLOBAL_MASK + 1)
-    end
-
     -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
     -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
     -- Each holds about as much for its tables as the second number, besides its body.
@@ -273,7 +263,7 @@ do
         if kept and (kept.steps or not wants_steps) then return kept, kept.steps end
         local text = HEADER .. body
         if #text < COMMAND_HEADER_SIZE then return { outputs = {} } end
-        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, memory_sizes(text))
+        local summary = read(text, COMMAND_HEADER_SIZE, wants_steps, reading.memory_sizes(text))
         local steps = summary.steps
         keep(body, summary, kept and kept.is_shown)
         return summary, steps
@@ -305,25 +295,6 @@ do
         return show(summary, summary.steps, payload, view)
     end
 
-    -- Returns the operations of a direct command by name: lists of their offsets `at` and the texts of their inputs.
-    local function inputs_of(body)
-        local text, at, by_name = HEADER .. body, COMMAND_HEADER_SIZE, {}
-        while at < #text do
-            local inputs = { at = at }
-            local operation, after, _, reason = reading.read_operation(text, at, function(parameter, encoding, value)
-                if parameter.key then
-                    inputs[#inputs + 1] = sub(parameter.key, 2) .. argument_text(parameter, encoding, value)
-                end
-            end)
-            if not operation then break end
-            by_name[operation.name] = by_name[operation.name] or {}
-            table.insert(by_name[operation.name], inputs)
-            if reason then break end
-            at = after
-        end
-        return by_name
-    end
-
     -- Gives each operation of a list the inputs that tell it apart from the others, as few of the first ones as do.
     local function tell_apart(list, telling)
         local count = 1
@@ -343,8 +314,19 @@ do
 
     -- Gives the outputs of operations that have the same name a `telling`: the inputs in which these differ.
     local function add_tellings(outputs, body)
-        local telling = {}
-        for _, list in pairs(inputs_of(body)) do
+        local text, at, reason, by_name, telling = HEADER .. body, COMMAND_HEADER_SIZE, nil, {}, {}
+        while at < #text and not reason do
+            local inputs = { at = at }
+            local operation, after, _, fault = reading.read_operation(text, at, function(parameter, encoding, value)
+                local key = parameter.key
+                if key then inputs[#inputs + 1] = sub(key, 2) .. argument_text(parameter, encoding, value) end
+            end)
+            local list = operation and by_name[operation.name] or {}
+            list[#list + 1] = inputs
+            if operation then by_name[operation.name] = list end
+            at, reason = after, fault
+        end
+        for _, list in pairs(by_name) do
             if list[2] then tell_apart(list, telling) end
         end
         for _, output in ipairs(outputs) do

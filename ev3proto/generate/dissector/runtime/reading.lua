@@ -20,6 +20,13 @@ do
         return high and low + high * 0x100
     end
 
+    -- Returns the bytes of global and local memory that a direct command requests.
+    function reading.memory_sizes(text)
+        local sizes = reading.unsigned16(text, HEADER_SIZE)
+        local globals = sizes % (GLOBAL_MASK + 1)
+        return globals, (sizes - globals) / (GLOBAL_MASK + 1)
+    end
+
     local function signed8(text, at)
         local low = byte(text, at + 1)
         return low and low >= 0x80 and low - 0x100 or low
@@ -30,12 +37,10 @@ do
         return high and low + 0x100 * (high < 0x80 and high or high - 0x100)
     end
 
-    local function unsigned32(text, at)
-        return at + 4 <= #text and unpack("<I4", text, at + 1) or nil
-    end
-
-    local function signed32(text, at)
-        return at + 4 <= #text and unpack("<i4", text, at + 1) or nil
+    local function reader32(form)
+        return function(text, at)
+            return at + 4 <= #text and unpack(form, text, at + 1) or nil
+        end
     end
 
     local function single(text, at)
@@ -45,10 +50,10 @@ do
         return value == value and value or NAN
     end
 
-    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = unsigned32 }
-    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = signed32 }
+    local READ_UNSIGNED = { [1] = unsigned8, [2] = reading.unsigned16, [4] = reader32("<I4") }
+    local READ_SIGNED = { [1] = signed8, [2] = signed16, [4] = reader32("<i4") }
     reading.READ_TYPE = {
-        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = signed32, [DATAF] = single, [HANDLE] = signed16,
+        [DATA8] = signed8, [DATA16] = signed16, [DATA32] = READ_SIGNED[4], [DATAF] = single, [HANDLE] = signed16,
     }
 
     -- By identification byte: its encoding and, for short forms, the value.

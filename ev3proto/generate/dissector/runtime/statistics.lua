@@ -1,5 +1,5 @@
--- Statistics of a capture by operation and connection, and the transferred files. Wireshark shows them in windows; tshark
--- prints them at the end of a run if the preferences ask for it.
+-- Statistics of a capture by operation and connection, and the transferred files. Wireshark shows them in windows;
+-- tshark prints them at the end of a run if the preferences ask for it.
 --
 -- A listener reads the fields of ev3.lua. It exists only while statistics are needed, so this file costs nothing until
 -- then, and the two files can be loaded in any order.
@@ -103,10 +103,6 @@ local function count_answer(row, delay)
     row.answers, row.total, row.most = row.answers + 1, row.total + delay, math.max(row.most, delay)
 end
 
-local function key_of(connection, packet, counter)
-    return concat({ connection, packet, counter }, " ")
-end
-
 local function count_command(survey, command)
     local uses = count_uses(command)
     for name, times in pairs(uses) do
@@ -116,12 +112,12 @@ local function count_command(survey, command)
     end
     if command.wants_reply then
         survey.wanted = survey.wanted + 1
-        survey.waiting[key_of(command.connection, command.packet, command.counter)] = uses
+        survey.waiting[concat({ command.connection, command.packet, command.counter }, " ")] = uses
     end
 end
 
 local function count_reply(survey, reply)
-    local key = key_of(reply.connection, reply.request_in, reply.counter)
+    local key = concat({ reply.connection, reply.request_in, reply.counter }, " ")
     survey.answered = survey.answered + 1
     count_answer(row_of(survey.connections, reply.connection), reply.delay)
     for name in pairs(survey.waiting[key] or {}) do
@@ -152,12 +148,6 @@ local function keep_piece(survey, message)
     table.insert(file.pieces, data)
 end
 
--- Counts the time since the reply before.
-local function count_gap(row, time)
-    if row.newest then row.gap = math.max(row.gap or 0, time - row.newest) end
-    row.newest = time
-end
-
 local function count_packet(survey, number, time)
     for _, message in ipairs(read_messages(number)) do
         local row = row_of(survey.connections, message.connection)
@@ -167,7 +157,11 @@ local function count_packet(survey, number, time)
         elseif message.request_in then
             count_reply(survey, message)
         end
-        if not message.is_command then count_gap(row, time) end
+        if not message.is_command then
+            -- The longest time between two replies.
+            if row.newest then row.gap = math.max(row.gap or 0, time - row.newest) end
+            row.newest = time
+        end
         if message.path then keep_piece(survey, message) end
     end
 end

@@ -59,8 +59,7 @@ do
         return is_part_of_text(text, 0) and PART or nil
     end
 
-    -- Returns the offset after the rest of a text from an earlier segment: its newlines, or the zero after the answer.
-    -- A faulty frame may start like that, too, so frames must follow.
+    -- Returns the offset after the newlines or the zero that end a text of an earlier segment; frames must follow.
     local function end_of_text(text, at)
         local after = at == 0 and (text:match("^[\r\n]+()") or text:match("^\0()"))
         local stop = after and after - 1
@@ -101,12 +100,11 @@ do
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
     function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
-        local count = phrases.plural(stop - at, "byte")
-        local said = format(plain and "text, not a frame: %.60s" or "no frame (%s)", plain or count)
+        local said = plain and format("text, not a frame: %.60s", plain)
+            or format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
-        local reason = reason_of(length, plain, left_over, is_lost)
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_lost))
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether

@@ -10,10 +10,6 @@ do
         return pinfo.src_port == HOST
     end
 
-    local function is_control(pinfo)
-        return pinfo.src_port == 0 or pinfo.dst_port == 0
-    end
-
     -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
         local address = tostring(is_from_host(pinfo) and pinfo.dst or pinfo.src)
@@ -69,22 +65,16 @@ do
         return captured
     end
 
-    -- Dissects a brick's report that does not contain a frame.
-    local function dissect_other_report(tvb, length, pinfo, tree)
-        local captured = captured_len(tvb)
-        local brick = has_tree(tree) and device_key(pinfo)
+    -- Dissects any report of a brick, except of control transfers. Returns 0 if it is too short for a frame.
+    local function dissect_known(tvb, pinfo, tree)
+        local captured, device = captured_len(tvb), device_key(pinfo)
+        if pinfo.src_port == 0 or pinfo.dst_port == 0 or captured < HEADER_SIZE then return 0 end
+        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
+        if is_usual_length(length) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, brick)))
+        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree) and device)))
         show(pinfo, tvb, tree)
         return captured
-    end
-
-    -- Dissects any report of a brick. Returns 0 if it is too short for a frame.
-    local function dissect_known(tvb, pinfo, tree)
-        if is_control(pinfo) or captured_len(tvb) < HEADER_SIZE then return 0 end
-        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        if not is_usual_length(length) then return dissect_other_report(tvb, length, pinfo, tree) end
-        return dissect_report(tvb, read_report(tvb), device_key(pinfo), pinfo, tree)
     end
 
     -- Wireshark calls this for all transfers of a known or chosen device. Bulk transfers are not ours: other

@@ -76,12 +76,6 @@ do
         buffers, connections = {}, {}
     end
 
-    -- Tells whether the preference includes the ports of both ends, as a wide range may: then the data tell which end
-    -- is the brick.
-    local function has_two_named(pinfo)
-        return ports[pinfo.src_port] and ports[pinfo.dst_port]
-    end
-
     -- Tells whether a packet goes to the brick that its connection is named after.
     local function is_to_named(conversation, pinfo)
         return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
@@ -98,11 +92,6 @@ do
 
     local dissect_claimed
     do
-        -- Returns which types go in the direction of a packet.
-        local function types_of(pinfo, conversation)
-            return is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick or comes_from_brick
-        end
-
         -- Returns the step of the stream at a buffer in the first pass, how many bytes of the buffer came before, and
         -- how many of these are done: TCP passes bytes on again if a frame in them is incomplete. TCP joins segments
         -- only if nothing is missing between them: then the buffer has the offset 0 and begins with what waits. Bytes
@@ -164,7 +153,8 @@ do
                     start = done,
                     joint = joint,
                     first = 0,
-                    accepts = types_of(pinfo, conversation),
+                    accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
+                        or comes_from_brick,
                 }
                 local after, wanted
                 after, wanted, lost, step =
@@ -225,7 +215,10 @@ do
             if not to_brick and not may_be_brick(pinfo.src, pinfo.src_port) then return nil end
             local verdict, found, place = streaming.judge_text(text), CHAIN, 0
             if verdict == PART then return OPEN, 0 end
-            if verdict == OURS or has_two_named(pinfo) then to_brick = tells_brick(text, verdict ~= nil, pinfo) end
+            -- If the preference includes the ports of both ends, as a wide range may, the data tell which is the brick.
+            if verdict == OURS or ports[pinfo.src_port] and ports[pinfo.dst_port] then
+                to_brick = tells_brick(text, verdict ~= nil, pinfo)
+            end
             if verdict == OURS or is_sure(pinfo, to_brick) then
                 claiming.begin(conversation, "sure")
             else

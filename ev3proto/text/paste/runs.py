@@ -410,11 +410,8 @@ def of_rows(rows: list[Row], places: list[int]) -> Iterator[Run]:
 
 def _lined_up(rows: list[Row], places: list[int], *, is_guess: bool = False) -> Iterator[Run]:
     first, sizes = rows[0], {*map(len, (row.elements for row in rows))}
-    if len(sizes) == 1 and sizes <= {2, _FEW} and len(rows) >= LEAST:
-        # Just one element of each may be a byte.
-        yield from (
-            _joined([[row.elements[at]] for row in rows], is_guess=is_guess) for at in places if at < min(sizes)
-        )
+    if sizes in ({2}, {_FEW}) and len(rows) >= LEAST:
+        yield from _each(rows, places, is_guess=is_guess)
     among = _among(first, places) if max(sizes) > _FEW else set()
     for place in [0] * _is_carried(first, places) + places:
         some = [row.elements[start:] for row in rows if (start := row.first(first, place)) is not None]

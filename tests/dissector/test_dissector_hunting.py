@@ -81,8 +81,10 @@ def transfer(counter: int, size: int, *pieces: int, closed: bool = False) -> Ite
     yield True, ev3proto.system_command("BEGIN_DOWNLOAD", counter=counter, reply=True, size=size, path="a.rtf").build()
     yield False, ev3proto.system_reply("BEGIN_DOWNLOAD", counter=counter, handle=handle).build()
     for number, piece in enumerate(pieces, counter + 1):
-        data = {"handle": handle, "data": bytes(piece)}
-        yield True, ev3proto.system_command("CONTINUE_DOWNLOAD", counter=number, reply=True, **data).build()
+        sent = ev3proto.system_command(
+            "CONTINUE_DOWNLOAD", counter=number, reply=True, handle=handle, data=bytes(piece)
+        )
+        yield True, sent.build()
         yield False, ev3proto.system_reply("CONTINUE_DOWNLOAD", counter=number, handle=handle).build()
     if closed:
         yield True, ev3proto.system_command("CLOSE_FILEHANDLE", counter=counter + 9, handle=handle).build()

@@ -3509,7 +3509,7 @@ do
     -- Appends values to a head: 7.92 V; several as vbatt=7.92 V ibatt=0.21 A. Those of operations with a `telling` are
     -- grouped by it: no=0: 1, no=1: 12
     function phrases.values_text(head, outputs)
-        if #outputs == 1 then return head .. " " .. phrases.output_text(outputs[1]) end
+        if #outputs == 1 and not outputs[1].telling then return head .. " " .. phrases.output_text(outputs[1]) end
         local pieces = { head }
         for index = 1, math.min(#outputs, phrases.MOST_VALUES) do
             local output = outputs[index]
@@ -4556,7 +4556,7 @@ do
             end
             if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
-        local trouble = dialogues.trouble_at(place, is_new)
+        local trouble = message.command and dialogues.trouble_at(place, is_new)
         if trouble then complain(target, "incomplete_file", trouble) end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then
@@ -6333,4 +6333,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: f5537ef7bfb699f3
+-- Checksum of the lines above, by which a changed file is recognised: 69850bbbcd59262b

@@ -351,8 +351,8 @@ REPLIES: dict[tuple[str, int], dict[str, str]] = {
     },
     ("81 12 60", 1): {"64": "UI_READ.GET_LBATT: 100 %", "FF": "UI_READ.GET_LBATT: -1 %"},
     ("B3 00 00 60 B3 00 01 64", 8): {
-        "FFFFFFFF 00000080": "OUTPUT_GET_COUNT: tacho=-1 degrees tacho=-2147483648 degrees",
-        "68010000 00": "OUTPUT_GET_COUNT: 360 degrees",
+        "FFFFFFFF 00000080": "OUTPUT_GET_COUNT: nos=A: -1 degrees, nos=B: -2147483648 degrees",
+        "68010000 00": "OUTPUT_GET_COUNT: nos=A: 360 degrees",
     },
 }
 

@@ -327,7 +327,7 @@ do
             end
             if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
         end
-        local trouble = dialogues.trouble_at(place, is_new)
+        local trouble = message.command and dialogues.trouble_at(place, is_new)
         if trouble then complain(target, "incomplete_file", trouble) end
         local transfer = item and dialogues.transfer_at(place)
         if transfer then

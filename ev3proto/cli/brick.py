@@ -37,6 +37,7 @@ from ev3proto.cli.options import (
     gathered,
 )
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
+from ev3proto.cli.unblocked import unblocked_output
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.temporary import temporary_folder
 
@@ -185,7 +186,7 @@ def brick(options: BrickOptions, faults: Faults) -> None:
         if server.has_core_set:
             complain(CORE_SET_SENTENCE)
         complain(f"this brick differs from a real one in {len(DEVIATIONS)} ways: ev3proto brick --help lists them")
-    with folder(options.root) as place:
+    with folder(options.root) as place, unblocked_output():
         reporter = asyncio.run(_serve(server, place))
     if reporter is not None:
         _report(reporter, options)

@@ -21,6 +21,7 @@ from ev3proto.cli.options import SerialNumber, dialect_option, exclusive, json_o
 from ev3proto.cli.output import Failure, complain, failing_to, flush, refuse_terminal, say, writing_output
 from ev3proto.cli.show import Dialogues
 from ev3proto.cli.targets import target_option
+from ev3proto.cli.unblocked import unblocked_output
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.link.carriers import open_wire
 from ev3proto.link.errors import LinkError
@@ -91,7 +92,7 @@ def proxy(
     """  # noqa: D301 - the mark by which click leaves lines as they are
     address, port = _place(listen)
     options = ProxyOptions(address, port, _address(only_from), read_only, hide, faults, dialect)
-    with ExitStack() as stack:
+    with unblocked_output(), ExitStack() as stack:
         recording = _recording(record, stack, force)
         shown = _Shown(as_json=as_json, is_quiet=record == "-")
         with _failing(target, is_masked=hide):

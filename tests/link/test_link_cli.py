@@ -270,6 +270,26 @@ def test_replay_of_a_transfer_uses_the_handle_that_the_brick_gives(tmp_path: Pat
 # proxy
 
 
+def test_a_proxy_whose_output_is_not_read_goes_on(tmp_path: Path) -> None:
+    """Lines fill the pipe of 64 kB after some 700 commands."""
+    (tmp_path / "prjs").mkdir()
+    data = bytes(range(256)) * 2000
+    (tmp_path / "prjs/big.rtf").write_bytes(data)
+    words = ["--listen", "wifi:127.0.0.1:0", "--no-beacon", "--read-only"]
+    with served(tmp_path) as brick:
+        call = [sys.executable, "-m", "ev3proto", "proxy", "--to", f"wifi:127.0.0.1:{brick.port}", *words]
+        with subprocess.Popen(call, stdout=subprocess.PIPE, text=True) as process:
+            try:
+                assert process.stdout is not None
+                port = int(process.stdout.readline().rpartition(":")[2])
+                with EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", port), timeout=30.0) as my_ev3:
+                    for _ in range(2):
+                        assert my_ev3.upload("../prjs/big.rtf") == data
+            finally:
+                process.terminate()
+            assert len(process.stdout.read()) > 1 << 17
+
+
 def through(found: Relay) -> EV3:
     return EV3(protocol=ev3proto.WIFI, address=("127.0.0.1", found.proxy.port), timeout=30.0)
 

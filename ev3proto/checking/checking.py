@@ -13,6 +13,7 @@ from ev3proto.checking.rules.devices import check_devices
 from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
+from ev3proto.checking.rules.programs import check_programs
 from ev3proto.checking.rules.refused_when_run import check_failures
 from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
@@ -113,6 +114,7 @@ def _findings(context: CheckContext) -> list[Finding]:
         found += check_failures(context)
         found += check_effects(context)
         found += check_devices(context, shared)
+        found += check_programs(context)
         if context.is_alone:
             found += check_alone(context)
     elif isinstance(message, SystemCommand):

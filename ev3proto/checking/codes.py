@@ -15,6 +15,7 @@ from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import with_length
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import mailboxes, operations
+from ev3proto.tables.encoding import LOCAL
 from ev3proto.tables.validation import LABELS
 
 
@@ -55,7 +56,7 @@ class FindingCode(NamedTuple):
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
 
-NO_PORTS, LONGER, NEVER_RUNS = "NO_PORTS", "LONGER", "NEVER_RUNS"
+NO_PORTS, LONGER, NEVER_RUNS, SYNCHRONIZED = "NO_PORTS", "LONGER", "NEVER_RUNS", "SYNCHRONIZED"
 ONE_NUMBER, FEWER_BYTES, MORE_BYTES = "ONE_NUMBER", "FEWER_BYTES", "MORE_BYTES"
 MAILBOX_NAME, MAILBOX_CONTENT = "MAILBOX_NAME", "MAILBOX_CONTENT"
 """Names of words: a bit mask without a port, a longer encoding, an opcode that never runs, arrays of other lengths than
@@ -673,6 +674,23 @@ UNALIGNED = _code(
     _sized("2A:00|00|05:00|99:1D:00:00:00:3F:01:61"),
     _sized("2A:00|00|04:00|99:1D:00:00:00:3F:01:60"),
 )
+RESULT_IN_LOCAL = _code(
+    "W407",
+    "a result that the reply does not carry",
+    """
+    A reply carries the global memory, and nothing else: what an operation stores in local memory is gone when the
+    command has ended. A variable is local from 40 (LV0) on, and global from 60 (GV0) on; the header requests memory of
+    both.
+    """,
+    _sized("2A:00|00|04:10|81:01:40"),
+    VOLTAGE,
+    words={
+        LOCAL: Words(
+            "{name} goes to {variable}, a local variable; a reply carries only global memory",
+            "use {other}, and request {bytes} of global memory",
+        )
+    },
+)
 UNUSED_MEMORY = _code(
     "H401",
     "unused memory",
@@ -973,6 +991,76 @@ MAY_WAIT_FOREVER = _code(
     """,
     _sized("2A:00|80|00:00|94:02:1E:84:2E:2E:2F:70:72:6A:73:2F:78:00|96"),
     _sized("2A:00|80|00:00|94:02:1E:84:2E:2F:75:69:2F:43:6C:69:63:6B:00|96"),
+)
+NOT_TWO_MOTORS = _code(
+    "H707",
+    "one motor, or more than two, in step",
+    """
+    OUTPUT_STEP_SYNC and OUTPUT_TIME_SYNC turn two motors in step: one runs as the other does. What a brick does with
+    one motor, with three or with four is not known. Each motor by itself takes OUTPUT_STEP_SPEED or OUTPUT_TIME_SPEED.
+    """,
+    _sized("2A:00|80|00:00|B0:00:01:1E:00:82:68:01:01"),
+    _sized("2A:00|80|00:00|B0:00:03:1E:00:82:68:01:01"),
+    words={
+        SYNCHRONIZED: Words(
+            "{owner} synchronizes two motors, but {name} has {count}: what that does is unknown",
+            "name two motors, such as 6 for B and C",
+        )
+    },
+)
+
+_GUI = "slot 0 is that of the brick's own menu (GUI_SLOT)"
+SLOT_OF_MENU = _code(
+    "W706",
+    "the slot of the brick's menu",
+    """
+    Programs run in slots: 0 is the brick's own menu, 1 the user's program, 2 the direct commands. To stop slot 0 stops
+    the programs of all slots, the menu, too: the brick is dead until it is restarted. As the menu always runs, nothing
+    can be loaded into its slot or started in it.
+    """,
+    _sized("2A:00|80|00:00|02:00"),
+    _sized("2A:00|80|00:00|02:01"),
+    words={
+        "PROGRAM_STOP": Words(
+            f"{_GUI}: to stop it stops every slot, and the brick is dead until it is restarted",
+            "use 1, the slot of the user's program",
+        ),
+        "FILE.LOAD_IMAGE": Words(f"{_GUI}, which runs: nothing is loaded", "use 1, the slot of the user's program"),
+        "PROGRAM_START": Words(f"{_GUI}, which runs: nothing is started", "use 1, the slot of the user's program"),
+    },
+)
+LOADED, NOT_LOADED = "LOADED", "NOT_LOADED"
+OTHER_SLOT = _code(
+    "W707",
+    "a program started in another slot",
+    """
+    FILE.LOAD_IMAGE loads a program into a slot, with the folder of its files. PROGRAM_START starts it there: in the
+    same slot, which is 1 for a user's program. Slot 2 is that of direct commands.
+    """,
+    _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:02:40:44:00"),
+    _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:40:44:00"),
+    words={
+        LOADED: Words(
+            "the program was loaded into slot {loaded}, and is started in slot {slot}", "start it in slot {loaded}"
+        )
+    },
+)
+STARTED_UNLOADED = _code(
+    "W708",
+    "a program that was not loaded",
+    """
+    PROGRAM_START takes the address of a program, which FILE.LOAD_IMAGE has returned. With the address 0 nothing
+    happens, and the brick reports no error. Local memory is new in each command; global memory keeps what an earlier
+    one stored.
+    """,
+    _sized("2A:00|80|00:00|03:01:00:00:00"),
+    _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:40:44:00"),
+    words={
+        NOT_LOADED: Words(
+            "{name} is 0: no program was loaded, so nothing is started",
+            "put FILE.LOAD_IMAGE before it, and use the variables in which it stores SIZE and {name}",
+        )
+    },
 )
 
 # 8: system messages, and messages between bricks

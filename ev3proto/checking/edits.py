@@ -410,6 +410,7 @@ def operation_edits(code: CommandCode, start: int, reading: Reading) -> Iterator
     facts, arguments = operation_facts(reading.schema), reading.arguments
     yield from _cut(code, facts, reading)
     yield from _no_results(code, facts, reading)
+    yield from _all_local(code, facts, reading)
     ends = [one.offset for one in arguments] + [reading.end]
     for number, at in enumerate(ends):
         argument = arguments[number] if number < len(arguments) else None
@@ -450,6 +451,18 @@ def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> I
     names = ", ".join(dict.fromkeys(known.parameter.name for known in wanted))
     words = (names, facts.name, "is" if len(wanted) == 1 else "are", spaced(new))
     yield Edit("no-results", at, at, new, words, 0.0 if is_exact else 1.0, 0 if is_exact else len(new))
+
+
+def _all_local(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
+    """Yields the edit that stores all results of an operation in global memory, if they are in local memory."""
+    found = [one for one in reading.arguments if one.parameter.is_output and one.kind == LOCAL and not one.form.width]
+    if len(found) > 1 and code.data[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY:
+        at, end = found[0].offset, found[-1].offset + 1
+        new = bytearray(code.data[at:end])
+        for one in found:
+            new[one.offset - at] += _GV0 - _LV0
+        names = ", ".join(one.name for one in found)
+        yield Edit("scope", at, end, bytes(new), (names, facts.name, spaced(bytes(new))), -0.9)
 
 
 def _list_of_results(

@@ -60,6 +60,7 @@ _FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is loo
 _OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
 _COPIED = -1.5  # the length was right before a slip in copying
 _MOST_OF_REPLY = 11  # the cost of a long reply where commands are expected
+_WITH_MEMORY = 0.5  # the cost of global memory for a variable that was local
 _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 
 _OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "header-order": (3.0, -2.5)}
@@ -75,7 +76,7 @@ _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 
 _WEIGHTS = {
     **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
-    **{"W": 5.0, "W101": 0.0, "W201": 0.5, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0},
+    **{"W": 5.0, "W101": 0.0, "W201": 0.5, "W407": 8.0, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0},
     **{"W804": 1.0, "W805": 2.0, "W806": 1.0},
     **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H901": 0.3},
 }
@@ -241,9 +242,10 @@ class _Search:
             codes.BEYOND_LOCALS.code,
             codes.BEYOND_GLOBALS.code,
         }:
-            fitted = _with_memory(candidate.frame, self._dialect)
+            is_moved = candidate.edits[0].kind == "scope"  # from local memory, which is not needed then
+            fitted = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
             if fitted != candidate.frame:
-                price = candidate.price + SLIPS["memory-size"].cost
+                price = candidate.price + (_WITH_MEMORY if is_moved else SLIPS["memory-size"].cost)
                 candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
         rarity, doubt = self._costs(candidate.frame, report)
         dangers = dangers_of(candidate.frame, self._dialect) - self._dangers
@@ -447,14 +449,14 @@ def _needed_memory(frame: bytes, dialect: str) -> Memory | None:
     return used if used.excess is None else None
 
 
-def _with_memory(frame: bytes, dialect: str) -> bytes:
+def _with_memory(frame: bytes, dialect: str, *, keeps_locals: bool = True) -> bytes:
     """Returns a frame that requests the memory that its operations use, or more where it did and may."""
     found = _needed_memory(frame, dialect)
     if found is None:
         return frame
     asked = read_memory(frame)
     shared = max(found.globals, asked[0]) if asked[0] <= MOST_IN_REPLY else found.globals
-    word = write_memory(shared, max(found.locals, asked[1]))
+    word = write_memory(shared, max(found.locals, asked[1] if keeps_locals else 0))
     return frame[:HEADER_SIZE] + word + frame[COMMAND_HEADER_SIZE:]
 
 

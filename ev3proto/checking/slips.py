@@ -125,7 +125,7 @@ SLIPS = {
         "0E00 0100 80 0000 94 02 02 04 68656C6C00", _PLAY),
     "aligned": Slip(2.5, "{0} of {1} must start at a multiple of {2}: {3} is written {4}",
         "0800 0100 00 0500 81 01 61", "0800 0100 00 0500 81 01 60"),
-    "scope": Slip(2, "{0} of {1} is a local variable, which no reply carries: the global one is {2}",
+    "scope": Slip(2, "no reply carries the local variable of {0} of {1}: in global memory, it is {2}",
         "0800 0100 00 0400 81 01 40", _BATTERY),
     "variable-81": Slip(2.5, "{0} of {1} is a variable, which is one byte: {2} without 81",
         "0900 0100 00 0400 81 01 8160", _BATTERY),

@@ -12,14 +12,17 @@ from typing import Any, BinaryIO
 import click
 
 from ev3proto.capture.record import Record
+from ev3proto.checking.checking import check
+from ev3proto.checking.codes import NOT_TWO_MOTORS
 from ev3proto.cli.options import PATH, Whole, gathered, given_options, incompatible, reply_option
-from ev3proto.cli.output import failing_to, output_to, refuse_terminal, say
+from ev3proto.cli.output import complain, failing_to, output_to, refuse_terminal, say
 from ev3proto.cli.reading import Problems, made_of, named, reading_options
 from ev3proto.dialogue import Dialogue
-from ev3proto.messages import Message
+from ev3proto.messages import DirectCommand, Message
 from ev3proto.reading.items import Source
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import COUNTERS
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
@@ -190,6 +193,7 @@ def _write(messages: Iterator[Message], form: str, stream: BinaryIO, *, is_print
     """Writes messages in a format to a file or standard output. Ends the program without any; a file stays then."""
     dialogue, number = Dialogue(), 0
     for number, message in enumerate(messages, 1):
+        _tell_of_pairs(message)
         data = FORMS[form](message, number, dialogue)
         if is_printed and isinstance(data, str):
             say(data)
@@ -197,6 +201,15 @@ def _write(messages: Iterator[Message], form: str, stream: BinaryIO, *, is_print
             stream.write(data if isinstance(data, bytes) else f"{data}\n".encode())
     if not number:
         sys.exit(1)
+
+
+def _tell_of_pairs(message: Message) -> None:
+    """Tells that two motors are turned in step, if other numbers are named: nothing else that is built is unknown."""
+    operations = message.operations if isinstance(message, DirectCommand) else ()
+    if any(Effect.SYNCHRONIZES in one.declaration.effects for one in operations):
+        for finding in check(message.build()).findings:
+            if finding.code == NOT_TWO_MOTORS.code:
+                complain(f"note: {finding.message}; {finding.help}")
 
 
 def _program(names: Sequence[str], path: Path | None, building: Building) -> int:

@@ -98,6 +98,7 @@ class Effect(Enum):
     RUNS_MOTORS = "makes motors turn"
     STARTS_MOTORS = "starts motors at rest with what was set before"
     AWAITS_START = "starts no motor at rest"
+    SYNCHRONIZES = "turns two motors in step"
     SETS_MOTORS = "changes how motors turn, or their counts"
     WAITS = "waits, or reports whether to wait, for what was started before"
     JUMPS_ALWAYS = "never continues with the next operation"

@@ -779,3 +779,24 @@ def test_limits(frame: bytes, found: list[str]) -> None:
 def test_a_jump_to_what_cannot_be_read_is_not_one_into_an_operation(distance: str) -> None:
     """To NOP, to the unknown opcode FE, and to the end."""
     assert codes(bytes.fromhex(f"0900 2A00 80 0000 40 {distance} 01 FE")) == ["E201"]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("80|00:20|C0:08:00:84:61:00:40:44", ["W706"]),  # loaded into the slot of the menu
+        ("80|00:00|02:00", ["W706"]),
+        ("80|00:00|02:01", []),
+        ("80|08:00|C0:08:01:84:61:00:60:64|03:02:60:64:00", ["W707"]),
+        ("80|00:20|03:01:40:44:00", ["W708"]),  # a local variable that nothing fills
+        ("80|08:00|03:01:60:64:00", []),  # global memory may hold what an earlier command stored
+        ("80|00:00|B0:00:07:1E:00:82:68:01:01", ["H707"]),
+        ("80|00:00|B1:00:06:1E:00:82:68:01:01", []),
+        ("80|00:10|85:0A:40|86:40", []),  # a result that the command itself reads
+        ("00|00:10|81:01:40", ["W407"]),
+    ],
+)
+def test_operations_together(text: str, said: list[str]) -> None:
+    frame = bytes.fromhex(f"2A00{text}".replace("|", "").replace(":", ""))
+    report = check(len(frame).to_bytes(2, "little") + frame)
+    assert [one.code for one in report.findings if one.code in ("W706", "W707", "W708", "H707", "W407")] == said

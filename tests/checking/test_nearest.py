@@ -242,7 +242,7 @@ def test_a_result_is_taken_for_the_variable_of_a_short_number() -> None:
     assert (one.kind, one.frame.hex()[-2:]) == ("variable", "7f")
     assert not code("9A 00 00 00 00 20", header="0100 00 2000")
     (one,) = code("9A 00 00 00 00 1F", header="0100 00 00A0")
-    assert (one.kind, one.frame.hex()[-2:]) == ("variable", "5f")
+    assert (one.kind, one.frame.hex()[-2:]) == ("variable", "7f")
     assert not code("9A 00 00 00 00 20", header="0100 00 00A0")
 
 
@@ -330,6 +330,8 @@ def test_what_is_worse_than_an_accepted_frame_is_motion_or_a_name(frame: bytes) 
         ("0900 0100 00 0200 99 05 00 10", "0B00 0100 00 0200 99 05 00 10 60 61", "no-results"),
         ("0B00 0100 00 0400 99 1D 00 00 00 00", "0D00 0100 00 0400 99 1D 00 00 00 00 01 60", "no-results"),
         ("0C00 0100 00 0800 99 1D 00 00 00 00 02", "0E00 0100 00 0800 99 1D 00 00 00 00 02 60 64", "no-results"),
+        ("0800 0100 00 0010 81 01 40", "0800 0100 00 0400 81 01 60", "scope"),
+        ("0B00 0100 00 0208 99 05 00 00 40 41", "0B00 0100 00 0208 99 05 00 00 60 61", "scope"),
         ("0D00 0100 0000 80 A5 00 01 81 32 A6 00 01", "0D00 0100 80 0000 A5 00 01 81 32 A6 00 01", "header-order"),
         ("0D00 80 2A01 0000 A5 00 01 81 32 A6 00 01", "0D00 2A01 80 0000 A5 00 01 81 32 A6 00 01", "header-order"),
         ("0C00 81 9E 0100 04 61626300 0100 01", "0C00 0100 81 9E 04 61626300 0100 01", "header-order"),

@@ -378,3 +378,10 @@ def test_json_of_a_conversation_reads_replies_by_their_commands() -> None:
     dialogue = Dialogue()
     dialogue.feed(parse(bytes.fromhex(json.loads(done.output.splitlines()[0])["hex"])))
     assert dialogue.feed(parse(bytes.fromhex(reply["hex"])))[0].value == pytest.approx(7.92)
+
+
+def test_motors_in_step_are_two() -> None:
+    said = b"note: OUTPUT_STEP_SYNC synchronizes two motors, but NOS has 1 motor: what that does is unknown"
+    result = run_ev3proto("encode", "OUTPUT_STEP_SYNC(0, A, 50, 0, 360, 1)")
+    assert (result.returncode, result.stderr.startswith(said)) == (0, True)
+    assert run_ev3proto("encode", "OUTPUT_STEP_SYNC(0, A+B, 50, 0, 360, 1)").stderr == b""

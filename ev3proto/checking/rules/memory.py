@@ -14,6 +14,7 @@ from ev3proto.messages import DirectCommand, Variable
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY
 from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed, unread
 from ev3proto.semantics.judgement import judge
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, Encoding
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 
@@ -219,7 +220,8 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
     if command.local_size:
         yield from _unused("local", command.local_size, local)
     if command.wants_reply:
-        yield from _unused("global", command.global_size, shared)
+        hidden = [] if shared else list(_hidden(local))
+        yield from hidden or _unused("global", command.global_size, shared)
         return
     lost = next(unread([place for _, place in shared]), None)
     if lost is not None:
@@ -238,6 +240,23 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
             " no reply carries",
             f"request none, or use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
         )
+
+
+def _hidden(local: list[Use]) -> Iterator[Finding]:
+    """Yields findings about the results of readings in local memory that no operation reads."""
+    unseen = {place.argument.offset for place in unread([place for _, place in local])}
+    read = {place.operation.offset for _, place in local if place.argument.offset not in unseen}
+    end = 0
+    for operation, place in local:
+        if operation.has(Effect.READS) and operation.start not in read and place.argument.offset in unseen:
+            start = end + -end % place.facts.alignment
+            end = start + place.reserved
+            parts = {
+                "variable": place.variable,
+                "other": Variable(GLOBAL, start),
+                "bytes": counted(end, "byte"),
+            }
+            yield operation.finding_of(codes.RESULT_IN_LOCAL, LOCAL, place.argument, parts)
 
 
 def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:

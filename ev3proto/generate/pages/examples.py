@@ -47,6 +47,8 @@ _TEXT = "demo"
 _NOTE = "A4"
 
 _COUNTER = 1
+_PAIR = 6
+"""The motors B and C, which drive most robots."""
 
 
 class Example(NamedTuple):
@@ -93,6 +95,8 @@ def _values(declaration: Declaration, *, omitted: bool) -> Iterator[tuple[str, A
     for index, parameter in enumerate(declaration.parameters):
         counted = [each for each in declaration.parameters if each.length == parameter.name]
         value = _value(parameter, index, omitted=omitted)
+        if Effect.SYNCHRONIZES in declaration.effects and parameter.role is Role.MOTORS:
+            value = _PAIR
         if counted and not parameter.is_output:
             value = len(_LIST) if has_list else _SIZE if counted[0].is_output else 1
         yield python_name(parameter.name), value

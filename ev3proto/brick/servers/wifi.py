@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import ipaddress
+import socket
 from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
@@ -167,6 +168,8 @@ class _Client(asyncio.Protocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
         self._transport = transport
+        # A client that vanished must not keep its place for ever.
+        transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
         transport.set_write_buffer_limits(MOST_UNREAD)
         self._timer = asyncio.get_running_loop().call_later(UNLOCK_TIME, self.drop)
         self._wifi.connected(self)

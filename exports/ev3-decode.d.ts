@@ -22,6 +22,17 @@ export declare function decode(
   known?: { request?: Uint8Array | Message | null; dialect?: Dialect },
 ): Message;
 
+/** What is declared of an argument: its type in memory, its unit, the name of the enumeration of its values. */
+export type Parameter = { name: string; type: string; direction?: "out" | "inout"; unit?: string; enum?: string };
+
+/** Returns the declared parameter of each argument of an operation that `decode` returned. */
+export declare function parametersOf(operation: Operation, dialect?: Dialect): Parameter[];
+
+/** Returns the fields of a system message that `decode` returned: their types, offsets and lengths in the frame. */
+export declare function fieldsOf(
+  message: SystemCommand | SystemReply,
+): { name: string; type: string; offset: number; length: number }[];
+
 /** Cuts a stream of bytes into frames, wherever its chunks end. */
 export declare class Frames {
   /** The bytes of the unfinished frame. */

@@ -432,6 +432,22 @@ export const decode = (frame, { request = null, dialect = "official" } = {}) => 
   return message;
 };
 
+// What the tables say of a message
+
+/** Returns the declared parameter of each argument of an operation. */
+export const parametersOf = (operation, dialect = "official") => {
+  const entry = instructions(dialect).byName.get(nameOfOperation(operation)), { args } = operation;
+  return args.map((_, index) => parameterOf(entry, args, index)).map(({ kind, ...parameter }) => ({ ...parameter, type: kind.name }));
+};
+
+/** Returns the fields of a system message with their places. */
+export const fieldsOf = ({ kind, number, values, hex }) => {
+  if (kind !== "system-command") return values.map(({ name, type, offset, length }) => ({ name, type, offset, length }));
+  const bytes = Uint8Array.from(hex.match(/../g), (pair) => parseInt(pair, 16)), { request } = system.get(number) ?? { request: [] };
+  const { places } = readFields(request, bytes.subarray(0, unsigned(bytes, 0, 2) + 2), 6, false);
+  return request.filter(({ name }) => places[name]).map(({ name, kind: type }) => ({ name, type, ...places[name] }));
+};
+
 // Streams and dialogues
 
 /** Cuts a stream of bytes into frames, wherever its chunks end. */

@@ -20,7 +20,7 @@ import { view } from "./view.js";
  * @property {number} offset
  * @property {number} length
  */
-/** @typedef {{kind: "" | "takes" | "but" | "refuses", text: string}} Verdict */
+/** @typedef {{kind: "" | "none" | "takes" | "but" | "refuses", text: string}} Verdict */
 /** @typedef {{summary: string, verdict: Verdict, blocks: Block[], accepted: number, places: string[]}} Findings */
 /**
  * @typedef {object} Page  some frames of an input, see Pages.page in bridge/pages.py
@@ -40,7 +40,7 @@ import { view } from "./view.js";
  * @property {Record<string, string>} made
  * @property {number} dialogues
  */
-/** @typedef {Whole & Page} Answer  with the first page */
+/** @typedef {Whole & Page & {about?: import("./view.js").About}} Answer  with the first page, and what is known of its frame without Python */
 
 /** Shows an answer, or what there is of it so far. @type {import("./reading.js").Show} */
 export const show = (answer, isMore, isWhole) => {

@@ -22,6 +22,8 @@ from typing import Any
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
+from ev3proto.generate.exported import EXPORTED
+from ev3proto.generate.javascript import decoder
 from ev3proto.version import VERSION
 
 from .packing import PACKAGES, pack
@@ -35,6 +37,9 @@ READ = tuple(CAPTURES / f"{name}.pcapng" for name in ("wifi", "usb", "bluetooth"
 WITHOUT = "no_playground"
 """The tag with which Sphinx builds everything except the playground."""
 
+DECODER = (decoder.DECODER_NAME, decoder.TEXTS_NAME)
+"""What shows the first frame without Python."""
+IMPORT = re.compile(r'^(?:import|export) .*from "\./([\w.-]+)";$', re.MULTILINE)
 PAGE = ("*.html", "*.css", "*.js")
 SERVICE_WORKER = "service-worker.js"
 BRICK = ("brick.css", "brick.js", "icon.svg")
@@ -98,13 +103,26 @@ def build(site: Path, npm: Path) -> None:
     pack(site / "python.zip", modules / "pyodide" / "python_stdlib.zip")
     with zipfile.ZipFile(site / "none.zip", "w"):
         pass
+    for name in DECODER:
+        (site / name).write_text(EXPORTED[name](), encoding="utf-8")
     _make_snapshot(modules / "pyodide", site)
     sizes = json.dumps({name: (site / name).stat().st_size for name in LARGE})
     for file in sorted(file for kind in PAGE for file in HERE.glob(kind)):
         text = file.read_text(encoding="utf-8").replace("@VERSION@", VERSION).replace("/* @SIZES@ */ {}", sizes)
+        text = text.replace("<!-- @MODULES@ -->", "\n".join(_preloads()))
         (site / file.name).write_text(text, encoding="utf-8")
     (site / "licences.txt").write_text("\n".join([*_licences(modules), ""]), encoding="utf-8")
     _name_files(site)
+
+
+def _preloads() -> Iterator[str]:
+    """Yields a link for each module that the page imports at once, so that the browser loads them side by side."""
+    found = ["playground.js"]
+    for name in found:
+        file = HERE / name
+        imported = IMPORT.findall(file.read_text(encoding="utf-8")) if file.exists() else []
+        found += [each for each in dict.fromkeys(imported) if each not in found]
+    yield from (f'<link rel="modulepreload" href="{name}">' for name in found[1:])
 
 
 def _make_snapshot(pyodide: Path, site: Path) -> None:

@@ -5,11 +5,14 @@ import { edit, replace } from "./editor.js";
 import { copy, find, make } from "./elements.js";
 import { EXAMPLES } from "./examples.js";
 import { home, LITTLE, look, source } from "./reading.js";
+import { firstAnswer } from "./rows.js";
 import { change, state } from "./state.js";
-import { onLine } from "./view.js";
+import { onLine, view } from "./view.js";
 
 const MOST_FILE = 32 << 20;
 const MOST_EDITED = 100_000;
+/** Milliseconds after which the first frame is painted, if ever. */
+const PAINTED = 100;
 
 const input = find("input", HTMLTextAreaElement), filter = find("filter", HTMLInputElement), file = find("file", HTMLInputElement), lesson = find("lesson", HTMLSelectElement);
 
@@ -32,6 +35,7 @@ const changed = () => {
   find("start").hidden = text !== "";
   setAddress(text);
   look(text.length, true, "look", text, "");
+  preview(text);
 };
 input.addEventListener("input", changed);
 
@@ -174,11 +178,11 @@ find("link").onclick = async () => {
 };
 
 /** Opens what the address has. Returns whether it has something. */
-const openLink = async () => {
+const openLink = async (isFirst = false) => {
   try {
     const text = await textOf(location.hash);
     if (text === null) return false;
-    if (text !== input.value) {
+    if (isFirst || text !== input.value) {
       input.value = text;
       change({ file: "" });
       find("start").hidden = text !== "";
@@ -189,13 +193,32 @@ const openLink = async () => {
   }
   return true;
 };
-window.onhashchange = openLink;
+window.onhashchange = () => openLink();
 
 // Who comes to paste something need not click first; on a phone this would show the keyboard.
 if (document.activeElement === document.body && !matchMedia("(pointer: coarse)").matches) input.focus({ preventScroll: true });
 
+/** Shows a frame until Python has read it. @param {string} text */
+const preview = (text) => {
+  const answer = state().isReady ? null : firstAnswer(text);
+  if (!answer) return;
+  view(answer, false);
+  change({ isStale: false });
+};
+
+/** Shows the frame of the link at once. Returns when it can be seen. */
+export const showFirst = async () => {
+  const text = await textOf(location.hash).catch(() => null);
+  if (text === null) return;
+  input.value = text;
+  find("start").hidden = text !== "";
+  preview(text);
+  // A page in the background is not painted, but Python starts all the same.
+  await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); setTimeout(resolve, PAINTED); });
+};
+
 /** Reads what is there when Python is ready: the link, or what was typed meanwhile. */
 export const readFirst = async () => {
   find("start").hidden = input.value !== "";
-  if (!await openLink()) look(input.value.length, false, "look", input.value, "");
+  if (!await openLink(true)) look(input.value.length, false, "look", input.value, "");
 };

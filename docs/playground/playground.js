@@ -4,7 +4,7 @@ import { clear, show } from "./answer.js";
 import { showBrick } from "./brick.js";
 import { offerCompletions } from "./editor.js";
 import { find, inside } from "./elements.js";
-import { readFirst } from "./input.js";
+import { readFirst, showFirst } from "./input.js";
 import { begin, cancel, counted, home } from "./reading.js";
 import { realBrick } from "./real_brick.js";
 import { sending } from "./sending.js";
@@ -79,4 +79,6 @@ const ready = async (started) => {
 };
 
 document.body.dataset.begun = "true";
+// Python is large: what can be shown without it comes first.
+await showFirst();
 begin({ hear, show, clear, restarted: real.drop });

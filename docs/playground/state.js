@@ -71,6 +71,7 @@ export const follow = (draw) => {
  * @returns {import("./answer.js").Verdict}
  */
 export const verdictOf = ({ verdict, error }) => {
+  if (error && verdict.kind === "none") return { kind: "", text: "" };
   if (!error || verdict.kind !== "takes") return verdict;
   return { kind: "but", text: `${verdict.text.slice(0, -1)}, but not all of the input could be read.` };
 };

@@ -42,6 +42,11 @@ const now = {
   about: UNKNOWN,
 };
 
+/** Whether Python says what was shown before it was there: then that stays as it is. @param {Answer} answer */
+const isConfirmed = ({ lines, frames }) => now.shown.about !== undefined && JSON.stringify([lines, frames]) === JSON.stringify([now.shown.lines, now.shown.frames]);
+/** Whether there is more of an input than before, of which this page was shown. @param {Answer} answer */
+const isGrown = ({ lines }) => now.shown.page.first > 0 || (now.shown.lines.length === lines.length && now.shown.page.next > 0);
+
 /**
  * Shows an answer of Python.
  *
@@ -50,13 +55,14 @@ const now = {
  */
 export const view = (answer, isMore) => {
   const { lines, frames, rows, page, findings } = now.shown;
-  const isThere = isMore && (page.first > 0 || (lines.length === answer.lines.length && page.next > 0));
+  const isSame = isConfirmed(answer), isThere = isSame || (isMore && isGrown(answer));
   now.shown = isThere ? { ...answer, lines, frames, rows, page: page.first ? page : answer.page } : answer;
   readBox.hidden = !now.shown.lines.length;
   find("count").textContent = answer.count > 1 ? `${answer.count.toLocaleString("en")} frames` : "";
   change({ verdict: answer.findings.verdict });
   if (!isMore || JSON.stringify(findings) !== JSON.stringify(answer.findings)) showFindings(answer.findings, (code) => source().ask("explain", code));
   if (isThere) showPager(now.shown.page, answer.count, turnTo); else showPage();
+  if (isSame) tell(now.frame);
 };
 
 /** Shows the page that is there now. */
@@ -157,10 +163,10 @@ const draw = () => {
 
 /** Says what a frame means, as soon as Python has told. @param {number} frame */
 const tell = async (frame) => {
-  if (now.shown.isProgram) return;
+  if (frame < 0 || now.shown.isProgram) return;
   const hex = hexOf(frame);
   /** @type {About} */
-  const about = await source().ask("about", hex);
+  const about = now.shown.about ?? await source().ask("about", hex);
   if (frame !== now.frame || hex !== hexOf(frame)) return;
   now.about = about;
   change({ sentence: about.sentence });

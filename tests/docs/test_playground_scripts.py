@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from support.built import built_export
 from support.scripts import PLAYGROUND, node_modules
 
 ROOT = Path(__file__).parents[2]
@@ -17,6 +18,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the scripts beside the packages that check them."""
     folder = tmp_path_factory.mktemp("scripts") / "playground"
     shutil.copytree(PLAYGROUND, folder, ignore=shutil.ignore_patterns("bridge", "__pycache__", "node_modules"))
+    for name in ("ev3-decode", "ev3-texts"):
+        for suffix in (".mjs", ".d.ts", ".d.mts"):
+            shutil.copy(built_export(name + suffix), folder)
     (folder / "node_modules").symlink_to(node_modules())
     # Linted, too; what the playground takes from it has its types in types/brick.d.ts.
     shutil.copytree(ROOT / "ev3proto" / "brick" / "servers" / "page" / "static", folder / "brick")

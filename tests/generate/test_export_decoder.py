@@ -206,5 +206,5 @@ def test_the_texts() -> None:
     program = f"import {{ texts }} from '{built_export('ev3-texts.mjs').as_uri()}'; console.log(JSON.stringify(texts))"
     words = ["node", "--input-type=module", "--eval", program]
     texts = json.loads(subprocess.run(words, capture_output=True, text=True, timeout=60, check=True).stdout)
-    assert texts["system_commands"]["LIST_FILES"] == "Lists a folder and fetches the first piece of the listing"
+    assert texts["system_commands"]["153"] == "Lists a folder and fetches the first piece of the listing"
     assert texts["operations"]["SOUND.TONE"]["parameters"][0].startswith("volume")

@@ -96,22 +96,26 @@ def _needed(entry: Json, keys: tuple[str, ...]) -> Iterator[tuple[str, Any]]:
 def build_texts() -> str:
     """Returns the text of ev3-texts.mjs: what the tables say of everything for people."""
     tables: Json = json.loads(build_tables())
-    named = ("message_types", "system_commands", "daisy_commands")
-    found: Json = {key: {each["name"]: each["text"] for each in tables[key]} for key in named}
+    found: Json = {
+        key: {each["name"]: each["text"] for each in tables[key]} for key in ("message_types", "daisy_commands")
+    }
+    # By number: the bootloader has names of the firmware again.
+    found["system_commands"] = {each["number"]: each["text"] for each in tables["system_commands"]}
     found["operations"] = {
-        (f"{opcode['name']}.{command['name']}" if command else opcode["name"]): _said(command or opcode)
-        for opcodes in tables["areas"].values()
+        (f"{opcode['name']}.{command['name']}" if command else opcode["name"]): _said(area, command or opcode)
+        for area, opcodes in tables["areas"].items()
         for opcode in opcodes
         for command in opcode.get("commands", [None])
     }
     return f"{_texts_head()}export const texts = {_parsed(found)};\n"
 
 
-def _said(entry: Json) -> Json:
+def _said(area: str, entry: Json) -> Json:
     parameters = entry["parameters"]
     special = {each["name"]: each["special"] for each in parameters if "special" in each}
-    found = {"text": entry["text"], "parameters": [each["text"] for each in parameters]}
-    return found | ({"special": special} if special else {})
+    found = {"area": area, "text": entry["text"], "parameters": [each["text"] for each in parameters]}
+    each = next((parameter["each"] for parameter in parameters if "each" in parameter), None)
+    return found | ({"special": special} if special else {}) | ({"each": each} if each else {})
 
 
 def build_decoder_types() -> str:

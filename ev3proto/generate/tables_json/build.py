@@ -154,6 +154,7 @@ _PARAMETER_PROPERTIES: dict[str, Any] = {
         name("the parameter that tells how many there are"),
         lambda it: it.length if isinstance(it.length, str) else None,
     ),
+    "each": text("of counts and lists: what each value that follows is"),
     "indexed_by": name("of arrays: the parameter with the index of the element that is written"),
     "element": (
         {**ref("type_name"), "description": "of counts and lists: the type of each value that follows"},

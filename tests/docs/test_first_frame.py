@@ -8,12 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+from playground.bridge.rows import Rows
 from support.built import built_export
 from support.effort import effort
 from support.frames import drawn
 from support.scripts import PLAYGROUND
 
-from docs.playground.bridge.rows import Rows
 from ev3proto import parse
 from ev3proto.dialogue import Exchange
 from ev3proto.testing import frames, mutated_frames

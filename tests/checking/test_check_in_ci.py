@@ -93,7 +93,15 @@ def test_errors_only_and_quiet_among_many_frames() -> None:
     assert [entry["line"] for entry in entries] == [2, 3]
     assert {finding["severity"] for entry in entries for finding in entry["findings"]} == {"error"}
     status, shown = check("--json", "--quiet", "-", stdin=MANY)
-    assert json.loads(shown) == {"frames": 4, "programs": 0, "replies": 0, "errors": 3, "warnings": 1, "hints": 0}
+    assert json.loads(shown) == {
+        "frames": 4,
+        "programs": 0,
+        "replies": 0,
+        "cut": 0,
+        "errors": 3,
+        "warnings": 1,
+        "hints": 0,
+    }
 
 
 def test_programs_are_counted_as_such(tmp_path: Path) -> None:

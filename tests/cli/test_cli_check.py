@@ -16,7 +16,7 @@ CAPTURES = ROOT / "captures"
 VOLTAGE = "08:00|2A:00|00|04:00|81|01|60|"
 VOLTAGE_BYTES = "08002a00000400810160"
 MISALIGNED = "08:00|2A:00|00|08:00|81|01|61|"
-WITHOUT_REPLY = "08:00|2A:00|80|04:00|81|01|60|"
+TOO_LONG = "0B:00|2A:00|00|04:00|81|01|60|"
 VOLTS = "0700010002a470fd40"
 
 
@@ -106,21 +106,21 @@ def test_findings_that_are_not_shown() -> None:
 
 
 def test_a_fixed_frame() -> None:
-    done = run("--fix", WITHOUT_REPLY)
+    done = run("--fix", TOO_LONG)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
         "fixed in 1 place",
         "0x|08:00|2A:00|00|04:00|81|01|60|",
-        "  type: 80 -> 00 (the type asks for no reply, which alone carries the results of UI_READ.GET_VBATT)",
+        "  length field: 0B -> 08 (the length field says that 11 bytes follow it, but there are 8: it is 08 00)",
         "fixed: accepted: no findings",
     ]
 
 
 def test_a_fixed_frame_as_json() -> None:
-    (entry,) = entries("--fix", WITHOUT_REPLY)
+    (entry,) = entries("--fix", TOO_LONG)
     assert (entry["hex"], entry["accepted"], entry["findings"]) == (VOLTAGE_BYTES, True, [])
     (change,) = entry["changes"]
-    assert (change["what"], change["after"]) == ("type", "00")
+    assert (change["what"], change["after"]) == ("length field", "08")
     assert entry["unfixed"] == []
 
 
@@ -129,7 +129,7 @@ def test_a_text_is_printed_with_its_frames_fixed(tmp_path: Path) -> None:
         b"# \xe9t\xe9: a log\r\n\t12:00:01 Sent 0x|%s  # volts\r\nRecv 0x|07:00|2A:00|02|A4:70:FD:40|\r\nTX 0x|%s\r\n"
     )
     log = tmp_path / "robot.log"
-    log.write_bytes(text % (WITHOUT_REPLY.encode(), MISALIGNED.encode()))
+    log.write_bytes(text % (TOO_LONG.encode(), MISALIGNED.encode()))
     for words, stdin in (([str(log)], b""), (["--quiet", str(log)], b""), ([], log.read_bytes())):
         done = run_ev3proto("check", "--fix", *words, stdin=stdin)
         assert (done.returncode, done.stdout) == (1, text % (VOLTAGE.encode(), MISALIGNED.encode()))
@@ -155,7 +155,7 @@ def test_a_frame_and_a_text_are_fixed_in_their_order(tmp_path: Path) -> None:
 
 
 def test_a_fixed_text_can_be_given_on() -> None:
-    first = run("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
+    first = run("--fix", stdin=f"{TOO_LONG}\n{VOLTAGE}\n")
     assert (first.returncode, first.stdout) == (0, f"{VOLTAGE}\n{VOLTAGE}\n")
     again = entries(stdin=first.stdout)
     assert [entry["hex"] for entry in again] == [VOLTAGE_BYTES] * 2
@@ -163,7 +163,7 @@ def test_a_fixed_text_can_be_given_on() -> None:
 
 
 def test_a_text_as_json_has_one_object_for_each_frame() -> None:
-    first, second = entries("--fix", stdin=f"{WITHOUT_REPLY}\n{VOLTAGE}\n")
+    first, second = entries("--fix", stdin=f"{TOO_LONG}\n{VOLTAGE}\n")
     assert [(each["hex"], each["line"], each["fixed"]) for each in (first, second)] == [
         (VOLTAGE_BYTES, 1, True),
         (VOLTAGE_BYTES, 2, False),

@@ -28,7 +28,7 @@ READERS = {
         "schema/argument": "what can be encoded is another question",
         "semantics/domain": "derives the legal numbers",
         "semantics/facts": "derives the facts by which `judge` judges",
-        "link/arguments": "the proxy needs an upper bound of a count",
+        "link/whitelist": "the proxy needs an upper bound of a count",
         "testing": "draws what can be encoded",
     },
     "ev3proto.tables.encoding.BITS": {
@@ -43,7 +43,7 @@ READERS = {
     "ev3proto.semantics.footprint.footprints": {
         "semantics/drafts/draft": "keeps the places of a draft",
         "semantics/drafts/functions": "names a misaligned variable",
-        "link/arguments": "the proxy needs an upper bound",
+        "checking/rules/programs": "whether a variable is ever filled is another question",
     },
     "ev3proto.semantics.footprint.needed": {
         "checking/rules/memory": "what is certainly unused is another question",

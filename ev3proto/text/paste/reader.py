@@ -318,7 +318,8 @@ class Reader:
         lines = {row.number: row.line for row in rows}
         found: list[Pasted] = []
         if reading is not None:
-            found = list(self._pieces(reading, lines, above))
+            pieces = [*self._pieces(reading, lines, above)]
+            found = _once(pieces) if len(rows) == 1 < len(pieces) else [piece for piece, _ in pieces]
             self._ended = (reading, rows) if reading.worth.is_whole else None
         if one is not None:
             check_sum = self._check_sum()
@@ -326,7 +327,7 @@ class Reader:
             data = one.data[: len(one.data) - is_sum]
             piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above)
             found = [piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=data)]
-        yield from _once(found) if len(rows) == 1 < len(found) else found
+        yield from found
         self._has_frame = bool(found)
         if not found:
             self._before += [row.line for row in rows]
@@ -334,17 +335,18 @@ class Reader:
             # What was said above is true for a line and for those below it that are indented.
             self._before.clear()
 
-    def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[Pasted]:
-        """Yields the frames of a reading, and what follows them in the lines below."""
+    def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[tuple[Pasted, bool]]:
+        """Yields the frames of a reading and what follows them in the lines below, with whether a notation may begin."""
         run, position = reading.run, 0
         for part, frames in reading.parts:
-            end = 0
+            end, begins = 0, {0, *part.inside(run.breaks)}
             for start, end in _extents(reading, part, frames, self._check_sum(), lines):
-                yield _piece(run, part, start, end, lines, above, position)
+                piece = _piece(run, part, start, end, lines, above, position)
+                yield piece, start in begins
                 position = run.span(part, start, end)[1].end if len(lines) == 1 else 0
             if end in part.inside(run.rows) and any(part.data[end:]):
                 # A frame over several lines is complete without the rows below.
-                yield _follows(run.elements[part.first + bisect_left(part.offsets, end) : part.last])
+                yield _follows(run.elements[part.first + bisect_left(part.offsets, end) : part.last]), True
 
 
 def _may_have_bytes(line: str) -> bool:
@@ -387,13 +389,13 @@ def _unknown(run: Run, part: Part, start: int, end: int, lines: dict[int, str]) 
                     yield Unknown(offset + at - start, one.line, one.start + 1, text)
 
 
-def _once(found: list[Pasted]) -> list[Pasted]:
+def _once(found: list[tuple[Pasted, bool]]) -> list[Pasted]:
     """Returns the pieces of a line without those that show one in front of them in another notation."""
     once: list[Pasted] = []
     places: dict[tuple[bytes, str | None], int] = {}
-    for piece in found:
+    for piece, may_be_other in found:
         place = places.setdefault((piece.data, piece.direction), len(once))
-        if place == len(once) or (once[place].text == piece.text and not once[place].notes):
+        if place == len(once) or not may_be_other or (once[place].text == piece.text and not once[place].notes):
             once.append(piece)
         else:
             once[place] = once[place]._replace(notes=("the line shows this frame in several notations",))

@@ -6,7 +6,7 @@ export const EXAMPLES = [
   ["A log with a mistake in it", `# What a program sent and received
 09:12:31.011558 Sent 0x|0B:00|2A:00|00|04:00|81:01:60:81:12:64|
 09:12:31.014092 Recv 0x|07:00|2A:00|02|66:66:F6:40|
-09:12:31.520417 Sent 0x|08:00|2B:00|80|00:00|81:01:60|
+09:12:31.520417 Sent 0x|0A:00|2B:00|00|04:00|81:01:60|
 `],
   ["A program that blinks", `vmthread MAIN
 {

@@ -217,14 +217,14 @@ def test_the_tutorial_begins_with_what_the_page_shows(page: Page) -> None:
 
 def test_a_fix_changes_the_line_that_it_fixes_and_can_be_undone(page: Page) -> None:
     field = page.browser.find_element(By.ID, "input")
-    page.type(LOG)
+    log, fixed = (LOG.replace("08:00|01:00|00|01:00", f"{length}:00|01:00|00|04:00") for length in ("0A", "08"))
+    page.type(log)
     page.wait(lambda: page.is_shown("fix"))
     page.click("fix")
-    fixed = LOG.replace("01:00|00|01:00", "01:00|00|04:00")
     page.wait(lambda: page.input == fixed)
     page.wait(lambda: not page.is_shown("fix"))
     field.send_keys(Keys.CONTROL, "z")
-    page.wait(lambda: page.input == LOG)
+    page.wait(lambda: page.input == log)
     page.wait(lambda: page.is_shown("fix"))
     # Without anything to fix, or in assembly, there is nothing to press.
     for text in (TONE, "UI_READ(GET_VBATT, GV0(1))"):

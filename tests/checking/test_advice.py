@@ -10,6 +10,8 @@ import pytest
 from ev3proto import check
 from ev3proto.checking.codes import CODES
 
+LOAD_AND_START = "12002a00800020c00801846100404403"
+
 ADVISED = [
     # Code, frame, a part of the help, the frame with that number
     ("E102", "08002a0001a0", "set the length to 4", "04002a0001a0"),
@@ -85,6 +87,15 @@ ADVISED = [
         "14000100000410ae000332000a0001aa0003a3000101",
     ),
     ("W801", "04002a0001a0", "use type 0x81", "04002a0081a0"),
+    ("W407", "08002a00000410810140", "use GV(0), and request 4 bytes", "08002a00000400810160"),
+    ("W706", "07002a008000000200", "use 1", "07002a008000000201"),
+    (
+        "W707",
+        "12002a00800020c0080184610040440302404400",
+        "start it in slot 1",
+        "12002a00800020c0080184610040440301404400",
+    ),
+    ("H707", "0e002a00800000b000011e0082680101", "such as 6 for B and C", "0e002a00800000b000061e0082680101"),
     ("W802", "04002a00819d", "use type 0x01", "04002a00019d"),
     ("W806", "0f002a00819e0461626300 04000a000000", "send 00 00 20 41", "0f002a00819e0461626300040000002041"),
 ]

@@ -56,7 +56,7 @@ def export_folder(tshark: Tshark, name: str) -> Path:
 
 
 def test_files_are_exported(tshark: Tshark) -> None:
-    folder = export_folder(tshark, "exported")
+    folder = export_folder(tshark, "files")
     words = ("-q", *tshark.statistics, "-o", f"ev3_statistics.export:{folder}")
     said = tshark.run(CAPTURES / "wifi.pcapng", *words)
     assert "first.rbf: 2500 bytes" in said

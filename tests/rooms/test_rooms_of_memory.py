@@ -2,7 +2,7 @@
 
 `compose`, the assembler, bare operations in a text, and `nearest` request what `memory_of` says. Where there is
 less, all of them refuse. Two answer other questions: E401 and E402 report what is certainly beyond the memory, and the
-proxy needs an upper bound (`link/arguments.py`).
+proxy needs an upper bound (`link/whitelist.py`).
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -67,13 +68,18 @@ class Silent:
 
 
 def virtual_brick(chunks: Chunks) -> Iterator[bytes]:
-    host: Any = Silent()
-    connection = Connection(host, host, "client", "wifi")
-    for chunk in chunks:
-        connection.feed(chunk)
-        while connection.is_ready:
-            yield connection.take()
-    assert host.said == 0
+    async def served() -> list[bytes]:
+        host: Any = Silent()
+        connection = Connection(host, host, "client", "wifi")
+        frames = []
+        for chunk in chunks:
+            connection.feed(chunk)
+            while connection.is_ready:
+                frames.append(connection.take())
+        assert host.said == 0
+        return frames
+
+    yield from asyncio.run(served())
 
 
 def scapy_session(chunks: Chunks) -> Iterator[bytes]:

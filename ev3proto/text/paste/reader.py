@@ -336,7 +336,7 @@ class Reader:
             self._before.clear()
 
     def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[tuple[Pasted, bool]]:
-        """Yields the frames of a reading and what follows them in the lines below, with whether a notation may begin."""
+        """Yields the frames of a reading and what follows them below, with whether a notation may begin there."""
         run, position = reading.run, 0
         for part, frames in reading.parts:
             end, begins = 0, {0, *part.inside(run.breaks)}

@@ -40,7 +40,7 @@ def open_playground(page: Page) -> str:
     """Opens the playground with a frame that a brick refuses. Returns its text; of lists, what is chosen."""
     page.open(f"#text={quote(FRAME)}")
     page.wait(lambda: "help:" in page.text("findings") and page.texts("#remedies button") and page.text("sentence"))
-    page.wait(lambda: page.text("status") == "")
+    page.wait(lambda: page.text("status") == "" and page.text("battery"))
     return str(page.run(_SHOWN))
 
 

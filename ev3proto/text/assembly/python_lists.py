@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-_GAP = r"(?:\s|\#[^\n]*|\\\n)*+"
+_GAP = r"(?>(?:\s|\#[^\n]*|\\\n)*)"
 _INSIDE = r"""(?:"[^"\n]*"|'[^'\n]*'|[^()"'])*"""
 _ELEMENT = rf"(?:\w+\.)?[A-Za-z_]\w*(?:\({_INSIDE}(?:\({_INSIDE}\){_INSIDE})*\))?"
 _LIST = re.compile(rf"(?<!\w)(?:\w+\.)?op[A-Z]\w*(?:{_GAP}[,+]{_GAP}{_ELEMENT})*")

@@ -39,7 +39,7 @@ _BESIDE = (
 )
 _LABEL = re.compile(
     r"(?<![\w.])(?:\d{1,3}(?:\.\d{1,3}){3}(?::\d+)?|[\da-f]{2}(?:[:-][\da-f]{2}){5}|(?<=\()\d{1,5}(?=,)"
-    r"|/?[^\W\d](?<!\d\s[vdiwef])[\w./@-]*+(?<=\w)(?:[ #:]\d{1,3}(?![\w.]|:\d))?+(?!\((?!\s*\d)))",
+    r"|/?[^\W\d](?<!\d\s[vdiwef])[\w./@-]*+(?<=\w)(?>(?:[ #:]\d{1,3}(?![\w.]|:\d))?)(?!\((?!\s*\d)))",
     re.IGNORECASE,
 )
 """A part of a label: an address, a file number in a call of C, a word with a number; no level of logcat."""

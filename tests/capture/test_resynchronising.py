@@ -21,10 +21,11 @@ COUNT = 300
 SIZES = {"bytes": (1, 5), "pieces": (1, 20), "parts": (8, 60), "segments": (50, 400)}
 
 # The limits are slightly below the measured shares. On RFCOMM a gap is not marked: if one or two bytes of a
-# frame are missing, the rest may well look like a frame that ends in the next one. The dissector, which trusts that a
-# frame begins where the last one ended, loses one or two more.
-LEAST = {"tcp": 0.995, "rfcomm": 0.985}
-LEAST_IN_BYTES = {"tcp": 0.987, "rfcomm": 0.93}
+# frame are missing, the rest may well look like a frame that ends in the next one.
+LEAST = {"tcp": 0.995, "rfcomm": 0.986}
+LEAST_IN_BYTES = {"tcp": 0.99, "rfcomm": 0.93}
+# The dissector loses 12 of 1,006 messages and 18 of 1,282 where the built-in reader loses 7 and 8.
+LEAST_DISSECTED = {("tcp", "bytes"): 0.987, ("rfcomm", "pieces"): 0.985}
 MOST_INVENTED = {"tcp": 0.01, "rfcomm": 0.03}
 MOST_INVENTED_IN_BYTES = {"tcp": 0.02, "rfcomm": 0.15}
 
@@ -66,9 +67,9 @@ def made(carrier: str, size: str) -> Lossy:
     return lossy(carrier, SIZES[size], [said(COUNT) for said in DIALOGUES.values()])
 
 
-def hold(carrier: str, size: str, whole: Counter[Segment], found: Counter[Segment]) -> None:
-    least, most = (LEAST_IN_BYTES, MOST_INVENTED_IN_BYTES) if size == "bytes" else (LEAST, MOST_INVENTED)
-    assert (whole - found).total() <= (1 - least[carrier]) * whole.total()
+def hold(carrier: str, size: str, whole: Counter[Segment], found: Counter[Segment], least: float | None = None) -> None:
+    usual, most = (LEAST_IN_BYTES, MOST_INVENTED_IN_BYTES) if size == "bytes" else (LEAST, MOST_INVENTED)
+    assert (whole - found).total() <= (1 - (least or usual[carrier])) * whole.total()
     assert (found - whole).total() <= most[carrier] * whole.total()
 
 
@@ -81,9 +82,10 @@ def test_the_built_in_reader_finds_what_is_whole(carrier: str, size: str, made: 
 @pytest.mark.parametrize("carrier", ["tcp", "rfcomm"])
 @pytest.mark.parametrize("size", SIZES)
 def test_the_dissector_finds_what_is_whole(carrier: str, size: str, made: Lossy, tshark: Tshark) -> None:
-    hold(carrier, size, made.whole, dissected(tshark, made.data))
+    least = LEAST_DISSECTED.get((carrier, size))
+    hold(carrier, size, made.whole, dissected(tshark, made.data), least)
     if size == "pieces":
-        hold(carrier, size, made.whole, dissected(tshark, made.data, "-2"))
+        hold(carrier, size, made.whole, dissected(tshark, made.data, "-2"), least)
 
 
 def test_a_capture_begins_inside_a_frame_of_tiny_packets(tshark: Tshark) -> None:

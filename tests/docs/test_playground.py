@@ -738,7 +738,7 @@ def test_a_known_brick_is_connected_without_asking(page: Page) -> None:
     assert page.fact("requests") == 0
 
 
-def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
+def test_a_short_listing_is_read_to_its_end_at_once(page: Page) -> None:
     # LIST_FILES of ../, a byte of it.
     page.read("0A 00 2A 00 01 99 01 00 2E 2E 2F 00")
     page.connect("usb")
@@ -749,6 +749,20 @@ def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
     # A listing is opened with the largest size, so that this one is read to its end at once.
     last = page.fact("sent")[-1]
     assert last[10:16] == "99f403"
+
+
+def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
+    # BEGIN_DOWNLOAD of 100 bytes to ../prjs/x/x.txt, and none of them.
+    page.read("18 00 2A 00 01 92 64 00 00 00 2E 2E 2F 70 72 6A 73 2F 78 2F 78 2E 74 78 74 00")
+    page.connect("usb")
+    page.click("send")
+    page.wait(lambda: page.is_shown("allow"))
+    page.click("allow")
+    page.wait(lambda: "handle" in page.text("answer"))
+    assert page.fact("sent")[-1][10:12] == "92"
+    page.click("disconnect")
+    page.wait(lambda: page.connection == "none")
+    assert page.fact("sent")[-1][10:12] == "98"
 
 
 def test_in_a_frame_of_another_page_no_brick_is_reached(page: Page) -> None:

@@ -435,22 +435,35 @@ def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> I
     room, read = code.memory.globals, reading.arguments
     if not room or any(one.kind == GLOBAL for _, other in code.first for one in other.arguments):
         return
-    wanted = [known for known in facts.parameters if known.parameter.is_output]
-    inputs, new = len(facts.parameters) - len(wanted), b""
-    if reading.schema is not None and reading.schema.tail is not None:
-        wanted, new = _list_of_results(facts, reading, reading.schema.tail, room)
-        inputs = len(read)
-    if not wanted or len(read) < inputs or (len(read) > inputs and read[inputs].is_variable):
+    inputs, wanted, count = _results(facts, reading, room)
+    behind = read[inputs] if len(read) > inputs else None
+    if not wanted or len(read) < inputs or (behind is not None and behind.is_variable):
         return
-    at, end = read[inputs].offset if len(read) > inputs else reading.end, 0
-    for known in wanted:
-        index = end + -end % known.alignment
-        new += encode_variable(Variable(GLOBAL, index))
-        end = index + known.size
+    variables, end = _places(wanted)
+    new, at = count + variables, behind.offset if behind is not None else reading.end
     is_exact = end == room or (wanted[-1].is_array and end <= room)
     names = ", ".join(dict.fromkeys(known.parameter.name for known in wanted))
     words = (names, facts.name, "is" if len(wanted) == 1 else "are", spaced(new))
     yield Edit("no-results", at, at, new, words, 0.0 if is_exact else 1.0, 0 if is_exact else len(new))
+
+
+def _results(facts: OperationFacts, reading: Reading, room: int) -> tuple[int, list[ParameterFacts], bytes]:
+    """Returns the number of arguments before the results, the results, and their number if it is missing."""
+    tail = reading.schema.tail if reading.schema is not None else None
+    if tail is not None:
+        return len(reading.arguments), *_list_of_results(facts, reading, tail, room)
+    wanted = [known for known in facts.parameters if known.parameter.is_output]
+    return len(facts.parameters) - len(wanted), wanted, b""
+
+
+def _places(wanted: list[ParameterFacts]) -> tuple[bytes, int]:
+    """Returns aligned variables in global memory, one behind the other, and where the last one ends."""
+    variables, end = b"", 0
+    for known in wanted:
+        index = end + -end % known.alignment
+        variables += encode_variable(Variable(GLOBAL, index))
+        end = index + known.size
+    return variables, end
 
 
 def _all_local(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:

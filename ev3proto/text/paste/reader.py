@@ -322,11 +322,7 @@ class Reader:
             found = _once(pieces) if len(rows) == 1 < len(pieces) else [piece for piece, _ in pieces]
             self._ended = (reading, rows) if reading.worth.is_whole else None
         if one is not None:
-            check_sum = self._check_sum()
-            is_sum = bool(check_sum) and one.data.endswith(check_sum) and one.problem is None
-            data = one.data[: len(one.data) - is_sum]
-            piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above)
-            found = [piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=data)]
+            found = [self._meant(one, lines, above)]
         yield from found
         self._has_frame = bool(found)
         if not found:
@@ -334,6 +330,14 @@ class Reader:
         elif rows[0].line[:1].strip():
             # What was said above is true for a line and for those below it that are indented.
             self._before.clear()
+
+    def _meant(self, one: Near, lines: dict[int, str], above: Head) -> Pasted:
+        """Returns what was meant as a frame, without the check sum that a program prints behind it."""
+        check_sum = self._check_sum()
+        is_sum = bool(check_sum) and one.data.endswith(check_sum) and one.problem is None
+        piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above)
+        data = one.data[: len(one.data) - is_sum]
+        return piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=data)
 
     def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[tuple[Pasted, bool]]:
         """Yields the frames of a reading and what follows them below, with whether a notation may begin there."""

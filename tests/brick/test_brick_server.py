@@ -129,6 +129,22 @@ def test_beacon(tmp_path: Path) -> None:
             assert Beacon.parse(datagram) == Beacon("0016530f0c1e", str(brick.port), "EV3", "EV3")
 
 
+def test_the_port_of_beacons_is_reserved_among_all_users(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tests of a second user wait for those of the first one, and then get it."""
+    first = os.geteuid()
+    with beacon_port(), monkeypatch.context() as impatient:
+        impatient.setattr("support.server.MOST_WAITING", 0)
+        if first == 0:
+            os.seteuid(65_534)
+        try:
+            with pytest.raises(AssertionError, match="another test run keeps the beacon's port"), beacon_port():
+                pass
+        finally:
+            os.seteuid(first)
+    with beacon_port():
+        pass
+
+
 # Bad clients
 
 

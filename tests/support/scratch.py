@@ -10,21 +10,14 @@ import shutil
 import tempfile
 from pathlib import Path
 
-USUAL = "PYTEST_DEBUG_TEMPROOT"
-"""The folder of pytest, and of what all sessions on this computer share."""
-
+_FOLDER_OF_PYTEST = "PYTEST_DEBUG_TEMPROOT"
 _VARIABLE = "TMPDIR"
 _OURS = ("ev3proto", ".ev3proto", "tmp", "home-")
 
 
-def usual_folder() -> Path:
-    """The folder of temporary files without this module."""
-    return Path(os.environ.get(USUAL) or tempfile.gettempdir())
-
-
 def begin() -> None:
     """Creates the folder, with access for all users: tshark may run as another one."""
-    os.environ.setdefault(USUAL, tempfile.gettempdir())
+    os.environ.setdefault(_FOLDER_OF_PYTEST, tempfile.gettempdir())
     folder = tempfile.mkdtemp(prefix="ev3proto-tests-")
     Path(folder).chmod(0o1777)
     os.environ[_VARIABLE] = folder

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import fcntl
 import socket
 import threading
 import time
@@ -15,8 +14,8 @@ from random import SystemRandom
 from typing import NamedTuple
 
 from ev3proto.brick.servers.server import Options, Running, running
+from ev3proto.tables.discovery import BEACON_PORT
 from ev3proto.text.assembly import assemble
-from support.scratch import usual_folder
 
 UNLOCK = b"GET /target?sn=0016530f0c1e VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 ACCEPT = b"Accept:EV340\r\n\r\n"
@@ -139,14 +138,17 @@ def command(text: str, counter: int = 1) -> bytes:
 
 @contextmanager
 def beacon_port() -> Iterator[None]:
-    """Reserves the UDP port of beacons: the tests run in several processes, and the port exists once."""
+    """Reserves the UDP port of beacons: the tests run in several processes, of several users, and the port exists once.
+
+    It is reserved by the TCP port of the same number, which no file is needed for, and which ends with its process.
+    """
     until = time.monotonic() + MOST_WAITING
-    with (usual_folder() / "ev3proto-tests-beacon.lock").open("w") as lock:
+    with socket.socket() as lock:
         while True:
             try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                lock.bind(("127.0.0.1", BEACON_PORT))
                 break
-            except BlockingIOError:
+            except OSError:
                 assert time.monotonic() < until, "another test run keeps the beacon's port"
                 time.sleep(0.02)
         yield

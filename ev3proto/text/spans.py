@@ -33,8 +33,8 @@ def visible_lines(text: str) -> str:
 
 
 def _escaped(match: re.Match[str]) -> str:
-    units = match[0].encode("utf-16-be", "surrogatepass").hex()
-    return "".join(f"\\u{units[at : at + 4]}" for at in range(0, len(units), 4))
+    above, below = divmod(ord(match[0]) - 0x10000, 0x400)
+    return f"\\u{ord(match[0]):04x}" if above < 0 else f"\\u{0xD800 + above:04x}\\u{0xDC00 + below:04x}"
 
 
 class Role:

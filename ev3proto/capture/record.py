@@ -324,8 +324,8 @@ class Record:
 
     @property
     def end(self) -> tuple[str, int]:
-        """What its brick is counted by: the address, and in a text, which has none, the connection."""
-        return self.route.peer, self.connection if self.route.is_text else 0
+        """What its connection is counted by, also in several files: the address of the brick, and the number."""
+        return self.route.peer, self.connection
 
     @property
     def direction(self) -> Direction | None:

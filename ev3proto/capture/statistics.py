@@ -29,7 +29,7 @@ MOST_LISTED = 20
 """Maximum number of listed unanswered commands, of faults, and of skipped pieces."""
 
 MOST_PEERS = 64
-"""Maximum number of bricks with their own statistics; further ones are counted only in the total."""
+"""Maximum number of connections with their own statistics; further ones are counted only in the total."""
 
 MOST_TRANSFERS = 1000
 """Maximum number of listed files and listings; further ones are only counted."""
@@ -98,9 +98,10 @@ class Noted:
 
 @dataclass(slots=True)
 class PeerSummary:
-    """The traffic between the computer and one brick, or all of them."""
+    """The traffic of one connection of a computer and a brick, or of all of them."""
 
     name: str  # the brick's address, in a text its label if it has one, or `all`
+    connection: int | None  # its number, `Record.connection`; None for all of them
     messages: Amount = field(default_factory=Amount)  # frames and their bytes
     kinds: dict[str, Amount] = field(default_factory=dict)  # the same by kind: direct-command, direct-reply, ...
     # each operation, those with the most commands first
@@ -114,15 +115,16 @@ class PeerSummary:
     first: str | None = None  # time of the first message: UTC, or seconds in a source without dates; None if unknown
     last: str | None = None  # time of the last message
     seconds: float = 0.0  # seconds between these
+    gap: float | None = None  # longest time between two replies of a connection, in seconds; None without times
 
 
 @dataclass(frozen=True, slots=True)
 class Summary:
     """The statistics of a capture."""
 
-    whole: PeerSummary  # all bricks together
-    peers: list[PeerSummary]  # each brick, if there are several
-    peers_left_out: int  # messages of further bricks, beyond `MOST_PEERS`
+    whole: PeerSummary  # all connections together
+    peers: list[PeerSummary]  # each connection of each brick, in the order of their first messages
+    peers_left_out: int  # messages of further connections, beyond `MOST_PEERS`
     texts: dict[str, Amount]  # texts around frames, by kind
     transfers: list[TransferSummary]  # files and listings, in the order in which they began
     transfers_left_out: int  # number of further ones, beyond `MOST_TRANSFERS`
@@ -150,14 +152,15 @@ class OperationName(NamedTuple):
 
 
 class _Peer:
-    """The counts of one brick, or of all."""
+    """The counts of one connection, or of all."""
 
-    def __init__(self, name: str) -> None:
-        self.counts = PeerSummary(name)  # the result, which `summary` completes
+    def __init__(self, name: str, connection: int | None = None) -> None:
+        self.counts = PeerSummary(name, connection)  # the result, which `summary` completes
         self._operations: dict[OperationName, tuple[OperationSummary, Latencies]] = {}
         self._latencies = Latencies()
         self._first_ns: int | None = None
         self._last_ns = 0
+        self._reply_ns: int | None = None  # time of the newest reply
 
     def message(self, record: Record) -> None:
         size, message = len(record.frame), record.message
@@ -191,6 +194,8 @@ class _Peer:
         latency = record.latency
         if latency is not None:
             self._latencies.add(latency)
+        if record.route.is_timed:
+            self._add_gap(record.time_ns)
         for key in carried:
             operation, latencies = self._operation(key)
             operation.replies += 1
@@ -198,6 +203,12 @@ class _Peer:
             operation.bytes += len(record.frame)
             if latency is not None:
                 latencies.add(latency)
+
+    def _add_gap(self, time_ns: int) -> None:
+        """Takes the time of a reply."""
+        if self._reply_ns is not None:
+            self.counts.gap = max(self.counts.gap or 0.0, (time_ns - self._reply_ns) / NANOSECONDS)
+        self._reply_ns = time_ns
 
     def no_reply(self, carried: Iterable[OperationName]) -> None:
         self.counts.unanswered += 1
@@ -288,9 +299,11 @@ class Statistics:
         while self._waiting:
             self._settle_oldest()
         self._unanswered.sort(key=lambda noted: noted.packet)
+        whole, peers = self._whole.summary(), [peer.summary() for peer in self._peers.values()]
+        whole.gap = max((peer.gap for peer in peers if peer.gap is not None), default=None)
         return Summary(
-            self._whole.summary(),
-            [peer.summary() for peer in self._peers.values()] if len(self._peers) > 1 else [],
+            whole,
+            peers,
             self._further,
             self._texts,
             [moving.summary() for moving in self._transfers.values()],
@@ -335,11 +348,11 @@ class Statistics:
             self._settle_oldest()
 
     def _counted(self, record: Record) -> tuple[_Peer, ...]:
-        """Returns the counts to which a brick's messages are added: the total, and its own up to the limit."""
+        """Returns the counts to which a message is added: the total, and its connection's up to the limit."""
         if record.end not in self._peers:
             if len(self._peers) >= MOST_PEERS:
                 return (self._whole,)
-            self._peers[record.end] = _Peer(record.label or record.peer)
+            self._peers[record.end] = _Peer(record.label or record.peer, record.connection)
         return self._whole, self._peers[record.end]
 
     def _settle_oldest(self) -> None:

@@ -54,16 +54,14 @@ class _Page:
         self._summary = summary
         self._unit = unit
         # With only one brick, its column is omitted.
-        self._tables = Tables(hidden=() if summary.peers else ("brick",))
+        self._tables = Tables(hidden=() if len({peer.name for peer in summary.peers}) > 1 else ("brick",))
 
     def show(self) -> None:
         """Prints all sections that are not empty."""
         summary = self._summary
-        self._peer(summary.whole, "")
-        for peer in summary.peers:
-            self._peer(peer, f" of {peer.name}")
-        if summary.peers_left_out:
-            self._tables.heading(f"Further bricks: {summary.peers_left_out} messages, which are only counted in all")
+        if summary.whole.messages.messages:
+            self._whole(summary.whole)
+            self._connections()
         self._section("Texts around frames", ("text", "number", "bytes"), _amounts(summary.texts))
         self._transfers()
         self._noted("Commands without a reply", summary.whole.unanswered, summary.unanswered)
@@ -72,38 +70,53 @@ class _Page:
         if summary.account is not None:
             self._account(summary.account)
 
-    def _peer(self, peer: PeerSummary, of: str) -> None:
-        if not peer.messages.messages:
-            return
-        if peer.first is not None:
-            self._tables.heading(f"Time{of}: {peer.first} to {peer.last}, {peer.seconds:.6f} s")
-        kinds = _amounts(peer.kinds)
+    def _whole(self, whole: PeerSummary) -> None:
+        if whole.first is not None:
+            self._tables.heading(f"Time: {whole.first} to {whole.last}, {whole.seconds:.6f} s")
+        kinds = _amounts(whole.kinds)
         if len(kinds) > 1:
-            kinds += _amounts({"all": peer.messages})
-        self._section(f"Messages{of}", ("kind", "messages", "bytes"), kinds)
-        self._operations(peer, of)
-        if peer.orphans:
-            self._tables.heading(f"Replies whose command was not seen{of}: {peer.orphans}")
+            kinds += _amounts({"all": whole.messages})
+        self._section("Messages", ("kind", "messages", "bytes"), kinds)
+        self._operations(whole)
+        if whole.orphans:
+            self._tables.heading(f"Replies whose command was not seen: {whole.orphans}")
 
-    def _operations(self, peer: PeerSummary, of: str) -> None:
+    def _operations(self, whole: PeerSummary) -> None:
         titles = ("operation", "uses", "commands", "replies", "errors", "no reply", "bytes")
         rows = [
             (
                 entry.name,
                 *map(str, (entry.uses, entry.commands, entry.replies)),
-                *(str(count or "") for count in (entry.errors, entry.unanswered)),
+                *map(_some, (entry.errors, entry.unanswered)),
                 str(entry.bytes),
             )
-            for entry in peer.operations
+            for entry in whole.operations
         ]
-        self._section(f"Operations{of}", titles, rows)
-        latencies = [(entry.name, entry.latency) for entry in peer.operations]
+        self._section("Operations", titles, rows)
+        latencies = [(entry.name, entry.latency) for entry in whole.operations]
         if len(latencies) > 1:
-            latencies.append(("all replies", peer.latency))
+            latencies.append(("all replies", whole.latency))
         times = [(name, *_milliseconds(latency)) for name, latency in latencies if latency is not None]
-        self._section(f"Milliseconds from command to reply{of}", ("operation", "replies", *_LATENCY), times)
-        if peer.latency is not None and not peer.latency.exact:
+        self._section("Milliseconds from command to reply", ("operation", "replies", *_LATENCY), times)
+        if whole.latency is not None and not whole.latency.exact:
             say(f"Of more than {EXACT} replies, median, p90 and p99 are right to {ACCURACY:.0%}.")
+
+    def _connections(self) -> None:
+        titles = ("connection", "brick", "messages", "bytes", "errors", "no reply", "max ms", "longest gap ms")
+        rows = [
+            (
+                str(peer.connection),
+                peer.name,
+                *map(str, (peer.messages.messages, peer.messages.bytes)),
+                *map(_some, (peer.errors, peer.unanswered)),
+                "" if peer.latency is None else f"{peer.latency.max * _MILLISECONDS:.3f}",
+                "" if peer.gap is None else f"{peer.gap * _MILLISECONDS:.3f}",
+            )
+            for peer in self._summary.peers
+        ]
+        self._section("Connections; a gap is the time between two replies", titles, rows)
+        if self._summary.peers_left_out:
+            say(f"{self._summary.peers_left_out} messages of further connections are only counted in all")
 
     def _transfers(self) -> None:
         rows = [
@@ -149,6 +162,10 @@ _LATENCY = ("min", "median", "p90", "p99", "max")
 
 def _amounts(amounts: Mapping[str, Amount]) -> list[tuple[str, str, str]]:
     return [(name, str(amount.messages), str(amount.bytes)) for name, amount in amounts.items()]
+
+
+def _some(count: int) -> str:
+    return str(count or "")
 
 
 def _milliseconds(latency: Percentiles) -> Iterator[str]:

@@ -1,15 +1,14 @@
 """The results of tshark and the dissector for a packet, as events of a capture.
 
-The dissector finds the frames (`ev3.bytes`) and the brick (`ev3.brick`) on any carrier; Wireshark orders
-the streams. So a few fields of each packet are enough.
+The dissector finds the frames (`ev3.bytes`), the brick (`ev3.brick`) and the conversation (`ev3.connection`) on any
+carrier; Wireshark orders the streams. So a few fields of each packet are enough.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from datetime import datetime
-from itertools import count
 
 from ev3proto.bounded import DEFAULT_MEMORY, Bounded, Budget
 from ev3proto.capture import Account, Announcement, Carrier, Direction, Event, Route, Skipped, TextKind
@@ -47,6 +46,7 @@ FIELDS = (
     "tcp.dstport",
     "ev3.brick",
     "ev3.bytes",
+    "ev3.connection",
     "ev3.expert.bootloader_fault",
 )
 """The requested fields: five times as fast as requesting all."""
@@ -111,8 +111,7 @@ class Events:
         self._account = account
         self._schema = frame_reader(dialect)
         self._budget = Budget(memory)
-        self._numbers = count(1)
-        self._conversations: Bounded[Hashable, Conversation] = Bounded(MOST_CONNECTIONS)
+        self._conversations: Bounded[int, Conversation] = Bounded(MOST_CONNECTIONS)
         self._routes: Bounded[Route, Route] = Bounded(MOST_CONNECTIONS)
 
     def of(self, row: Row) -> Iterator[Event]:
@@ -163,12 +162,14 @@ class Events:
         if said is not None or not data.strip(_TEXT_ENDS):
             self._move("texts", len(data))
             return None if said is None else Announcement(said, data, _parsed(said, data), *place)
-        if len(data) < HEADER_SIZE or not may_have_length(data):
+        # Packets without a frame have no number.
+        number = row.number("ev3.connection")
+        if not number or len(data) < HEADER_SIZE or not may_have_length(data):
             self._move("skipped", len(data))
             return Skipped(data, 0, "the dissector finds no frame in these bytes", row.packet, row.time_ns, route)
         self._move("frames", len(data))
-        ends = frozenset((route.source, route.target))
-        talk = self._conversations.use(ends, lambda: Conversation(self._schema, self._budget, self._numbers))[0]
+        talk = self._conversations.use(number, lambda: Conversation(self._schema, self._budget))[0]
+        talk.number = number
         if row.all("ev3.expert.bootloader_fault"):
             record = talk.overwritten(data, *place)
             record.note = OVERWRITTEN

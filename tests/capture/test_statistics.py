@@ -107,17 +107,25 @@ def test_messages_operations_and_latencies() -> None:
         "2026-01-01T10:00:00.040000Z",
         0.04,
     )
-    assert found.peers == []
+    (only,) = found.peers
+    # The replies came at 14, 22 and 40 ms.
+    assert (only.name, only.connection, only.messages, only.gap) == ("1.7", 1, whole.messages, 0.018)
+    assert (whole.connection, whole.gap) == (None, 0.018)
 
 
-def test_several_bricks() -> None:
+def test_several_connections() -> None:
     one, other = seen(ask(), 1, peer="1.7"), seen(ask(), 2, peer="1.8")
-    found = summary([one, other, seen(answer(), 3, 5, peer="1.8", request=other)])
-    assert [(peer.name, peer.messages.messages, peer.unanswered) for peer in found.peers] == [
-        ("1.7", 1, 1),
-        ("1.8", 2, 0),
+    again = seen(ask(), 4, 1000, peer="1.7")
+    again.connection = 2
+    found = summary([one, other, seen(answer(), 3, 5, peer="1.8", request=other), again])
+    assert [(peer.name, peer.connection, peer.messages.messages, peer.unanswered) for peer in found.peers] == [
+        ("1.7", 1, 1, 1),
+        ("1.8", 1, 2, 0),
+        ("1.7", 2, 1, 1),
     ]
-    assert (found.whole.name, found.whole.messages.messages, found.whole.unanswered) == ("all", 3, 1)
+    assert (found.whole.name, found.whole.messages.messages, found.whole.unanswered) == ("all", 4, 2)
+    # One reply makes no gap, nor do those of two connections.
+    assert found.whole.gap is None
 
 
 def test_system_and_daisy_commands_have_their_names() -> None:

@@ -159,12 +159,14 @@ def test_conversations_have_the_numbers_of_records(tshark: Tshark) -> None:
     one.receive(volts(2))
     other.send(voltage(2))
     path = tshark.place(capture.data(), "numbers.pcap")
-    records = {item.numbers[-1]: item.connection for item in ev3proto.read(path) if isinstance(item, ev3proto.Record)}
-    assert records == {2: 1, 3: 1, 4: 2, 7: 3, 8: 3, 9: 1}
+    records = {2: 1, 3: 1, 4: 2, 7: 3, 8: 3, 9: 1}
+    for engine in ("builtin", "wireshark"):
+        found = ev3proto.read(path, engine=engine, tshark=tshark.path)
+        assert {each.numbers[-1]: each.connection for each in found if isinstance(each, ev3proto.Record)} == records
     for words in ((), ("-2",)):
         fields = ("-T", "fields", "-e", "frame.number", "-e", "ev3.connection", "-Y", "ev3.connection")
-        found = [line.split() for line in tshark.run(path, *words, *fields).splitlines()]
-        assert {int(number): int(connection) for number, connection in found} == records
+        lines = [line.split() for line in tshark.run(path, *words, *fields).splitlines()]
+        assert {int(number): int(connection) for number, connection in lines} == records
 
 
 def test_ports_have_a_bit_each_and_no_number_below_zero_is_a_large_one(tshark: Tshark) -> None:

@@ -31,6 +31,7 @@ for use_ek in (False, True):
         assert [record.frame for record in found] == [record.frame for record in expected], (use_ek, name)
         assert [record.time_ns for record in found] == [record.time_ns for record in expected], (use_ek, name)
         assert [record.number for record in found] == [record.number for record in expected], (use_ek, name)
+        assert [record.connection for record in found] == [record.connection for record in expected], (use_ek, name)
         linked = [record.request and record.request.number for record in found]
         assert linked == [record.request and record.request.number for record in expected], (use_ek, name)
         assert [str(record.values) for record in found] == [str(record.values) for record in expected]

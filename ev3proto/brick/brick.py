@@ -15,7 +15,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ev3proto.brick.clock import (
+from ev3proto.brick.devices.display.display import Display
+from ev3proto.brick.devices.motors import Reading
+from ev3proto.brick.dispatch import dispatch_table
+from ev3proto.brick.equipment import Equipment
+from ev3proto.brick.images import Image
+from ev3proto.brick.limits import (
     MOST_OPERATIONS,
     MOST_PROCESSOR_SECONDS,
     MOST_SECONDS,
@@ -26,11 +31,6 @@ from ev3proto.brick.clock import (
     TICK,
     thread_time,
 )
-from ev3proto.brick.devices.display.display import Display
-from ev3proto.brick.devices.motors import Reading
-from ev3proto.brick.dispatch import dispatch_table
-from ev3proto.brick.equipment import Equipment
-from ev3proto.brick.images import Image
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.plugs import CORE_SET, port_name
 from ev3proto.brick.running_programs import (

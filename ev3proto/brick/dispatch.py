@@ -11,8 +11,8 @@ import ev3proto.brick.operations  # noqa: F401 - registers the handlers
 from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, DispatchEntry, Family, Function, Handler
 from ev3proto.brick.locations import WRITERS
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import NoOperation
 from ev3proto.brick.operations.without_effect import fail
+from ev3proto.brick.steps import NoOperation
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from random import Random
 
 from ev3proto.brick.boxes import Mailboxes
+from ev3proto.brick.devices import Part
 from ev3proto.brick.devices.buttons import Buttons
 from ev3proto.brick.devices.display import Display
 from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
@@ -16,7 +17,6 @@ from ev3proto.brick.devices.sensors import Inputs
 from ev3proto.brick.devices.speaker import Sound
 from ev3proto.brick.devices.terminal import Terminal
 from ev3proto.brick.open_files import RecentFiles
-from ev3proto.brick.parts import Part
 from ev3proto.brick.running_programs import CMD_SLOT, USER_SLOT, Program
 from ev3proto.brick.settings import Settings
 from ev3proto.brick.storage import Storage

@@ -11,15 +11,14 @@ import struct
 from collections.abc import Callable
 from contextlib import suppress
 
-from ev3proto.brick.clock import QUICK_OPERATIONS, thread_time
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.handlers import Dispatch, Family
 from ev3proto.brick.handles import Array
 from ev3proto.brick.images import Image, Images, load
+from ev3proto.brick.limits import QUICK_OPERATIONS, thread_time
 from ev3proto.brick.locations import Location
 from ev3proto.brick.open_files import OpenFile
-from ev3proto.brick.operation_exits import Busy, Failure, Leave, NoOperation, Pause, Sleep, WildAccess
 from ev3proto.brick.running_programs import (
     CMD_SLOT,
     CURRENT_SLOT,
@@ -31,7 +30,7 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.steps import Busy, Failure, Leave, NoOperation, Pause, Sleep, Steps, WildAccess
 from ev3proto.schema.argument import INTEGER_FORMS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, SIZES, STRINGS, TEXT, Encoding

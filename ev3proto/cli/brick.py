@@ -14,11 +14,10 @@ from typing import NoReturn
 import click
 
 from ev3proto.brick.declared import DeclarationError
-from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.dispatch import coverage as covered_operations
+from ev3proto.brick.limits import DEVIATIONS
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
-from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import ServerError
+from ev3proto.brick.servers.host import Faults, ServerError
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options, running

@@ -383,7 +383,7 @@ def _explain(name: str, *, as_json: bool, dialect: str) -> None:
                 [[(f"{code.code}  ", Role.OPERATION), (f"{code.severity!s:8} ", Role.ASIDE), (code.title, Role.PLAIN)]]
             )
         else:
-            from ev3proto.program.explaining import explained  # takes 9 ms, which frames do not need
+            from ev3proto.program.checking import explained  # takes 9 ms, which frames do not need
 
             printer.lines(explained(code, dialect=dialect))
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import Faults
 from ev3proto.cli.options import F, FiniteRange
 
 _SHARE = FiniteRange(0, 1)

@@ -12,7 +12,7 @@ from typing import BinaryIO, cast
 
 import click
 
-from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import Faults
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.cli.ending import stopped_by_signals
 from ev3proto.cli.faults import fault_options

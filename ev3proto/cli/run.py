@@ -13,7 +13,7 @@ import click
 
 from ev3proto.brick import Brick
 from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.devices.display.rendering import braille
+from ev3proto.brick.devices.display.pictures import braille
 from ev3proto.brick.running_programs import DEBUG_SLOT, FAIL, RUNNING, USER_SLOT, Program
 from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.server import Options, Running, running

@@ -13,8 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import Ends, Line, ServerError
+from ev3proto.brick.servers.host import Ends, Faults, Line, ServerError
 from ev3proto.brick.servers.wifi import Wifi
 from ev3proto.capture.dialogues import RequestReply
 from ev3proto.generate.captures.recording import Recording

@@ -6,20 +6,25 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from ev3proto.checking import program_codes as codes
+from ev3proto.checking.checking import check
 from ev3proto.checking.codes import FindingCode
+from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Finding
 from ev3proto.errors import DecodeError, as_bytes, counted
 from ev3proto.messages import Argument, Operation
 from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER
 from ev3proto.program.image import Program, parse
 from ev3proto.program.objects import CodeObject
-from ev3proto.program.report import ProgramReport
+from ev3proto.program.report import ProgramReport, program_findings
 from ev3proto.program.retyped import CALL
 from ev3proto.program.walk import SIZE_AT, Walk, walk
 from ev3proto.semantics.flow import is_label, jump_of, labels_of, place_of, runs_of, starts_of, target_of
 from ev3proto.tables.declaration import Direction, Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.program import ObjectKind
+from ev3proto.text.diagnostics import diagnostics, explanation, grouped_hex
+from ev3proto.text.phrases import spaced_hex
+from ev3proto.text.spans import Line
 
 _OBJECT_END = "OBJECT_END"
 _HANDLE_SIZE = 2
@@ -294,3 +299,12 @@ def _unreached(steps: Sequence[Operation], runs: bytearray) -> Iterator[Finding]
                 first.full_name,
             )
         place = -1 if after < 0 else runs.find(0, after)
+
+
+def explained(code: FindingCode, *, dialect: str = "official") -> Iterator[Line]:
+    """Yields what `ev3proto check --explain` prints of a code."""
+    if code.code in PROGRAM_CODES:
+        program = check_program(code.example, dialect=dialect)
+        return explanation(code, program_findings(program, program.findings), spaced_hex)
+    report = check(code.example, dialect=dialect, carrier=code.carrier, alone=code.alone)
+    return explanation(code, diagnostics(report, dialect=dialect), lambda frame: grouped_hex(frame, dialect))

@@ -39,6 +39,22 @@ AREAS: dict[str, tuple[Opcode, ...]] = {
 }
 """The opcodes by the firmware's areas."""
 
+AREA_TITLES = {
+    "vm": "Programs and the virtual machine",
+    "math": "Arithmetic",
+    "move": "Moving and converting values",
+    "branch": "Jumps",
+    "compare": "Comparisons",
+    "ui": "Display, buttons, lights, battery",
+    "timer": "Timers",
+    "sound": "Sound",
+    "input": "Sensors",
+    "output": "Motors",
+    "memory": "Files and arrays",
+    "com": "Communication",
+}
+"""Titles of the areas, in the words of a table of contents."""
+
 OPCODES: tuple[Opcode, ...] = tuple(opcode for area in AREAS.values() for opcode in area)
 """Every opcode of every dialect."""
 

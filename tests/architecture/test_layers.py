@@ -142,7 +142,7 @@ FACES = {
         *("drafts.functions", "drafts.placeholders"),
     ),
     "checking": ("checking", "codes", "fixing", "nearest", "program_codes", "report", "verdict"),
-    "generate.dissector": ("build", "install", "names"),
+    "generate.dissector": ("build", "fields", "install"),
 }
 """The core, on which the other packages build: who understands it understands the project. They import each package
 itself, all of the tables, the enumerations and the generated functions; of the others only these modules."""

@@ -12,9 +12,8 @@ from pathlib import Path
 import pytest
 
 from ev3proto import bounded, dialogue
-from ev3proto.brick import clock, images
+from ev3proto.brick import images, limits
 from ev3proto.brick.operations.strings import MOST_CHARACTERS
-from ev3proto.brick.servers import limits
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
 from ev3proto.capture.carriers.usb import reports
@@ -72,15 +71,15 @@ LIMITS = [
     f"{MAX_FRAME:,} bytes; a longer one is refused without being read",
     f"{MOST_TRIALS}, as in the dissector; then the chunk is skipped, and reported",
     f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
-    f"{clock.MOST_OPERATIONS:,}, and {clock.MOST_PROCESSOR_SECONDS:g} s of CPU time",
-    f"{clock.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
+    f"{limits.MOST_OPERATIONS:,}, and {limits.MOST_PROCESSOR_SECONDS:g} s of CPU time",
+    f"{limits.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
     f"{limits.STRETCH * 1000:g} ms of CPU time, and one step of an operation",
     f"{limits.STRETCH * 1000:g} ms of CPU time at a time",
     f"{MOST_CHARACTERS:,} bytes, as in the firmware",
     f"{images.MOST_IMAGES}, and {images.MOST_BYTES:,} bytes",
     f"{MOST_PATH:,} bytes",
     f"{limits.MOST_QUEUED} each",
-    f"{clock.MOST_WAITING // MIB} MiB",
+    f"{limits.MOST_WAITING // MIB} MiB",
     f"{ARRAY_ROOM:,} bytes",
 ]
 """What the code limits, in the order of the page."""

@@ -265,7 +265,7 @@ RECIPES: dict[str, tuple[Change, ...]] = {
             '        "read-only.md": ',
             '        "luck.md": page("Luck", luck.blocks()),\n        "read-only.md": ',
         ),
-        Change("ev3proto/generate/pages/contents.py", "OTHERS = {\n", 'OTHERS = {\n    "luck.md": "Luck",\n'),
+        Change("ev3proto/generate/pages/build.py", "OTHERS = {\n", 'OTHERS = {\n    "luck.md": "Luck",\n'),
     ),
     "A release": (
         Change("ev3proto/version.py", f'VERSION = "{VERSION}"', 'VERSION = "98.7.6"'),

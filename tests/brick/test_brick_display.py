@@ -15,8 +15,7 @@ from ev3proto.brick.devices.display import HEIGHT, WIDTH, Canvas, Display
 from ev3proto.brick.devices.display.fonts import FONTS
 from ev3proto.brick.devices.display.graph import Graph, Scale
 from ev3proto.brick.devices.display.icons import ICONS
-from ev3proto.brick.devices.display.pictures import read_picture
-from ev3proto.brick.devices.display.rendering import braille, write_png
+from ev3proto.brick.devices.display.pictures import braille, read_picture, write_png
 
 Pixels = set[tuple[int, int]]
 

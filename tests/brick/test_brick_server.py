@@ -22,10 +22,9 @@ from support.effort import effort
 from support.server import ACCEPT, UNLOCK, Client, beacon_port, command, download, frame, served, system, until, upload
 
 import ev3proto
+from ev3proto.brick import limits
 from ev3proto.brick.declared import DeclarationError
-from ev3proto.brick.servers import limits
-from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import ServerError
+from ev3proto.brick.servers.host import Faults, ServerError
 from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read

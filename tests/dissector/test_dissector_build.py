@@ -18,7 +18,7 @@ from support.pictures import dissector_texts
 from support.wireshark import DISSECTOR, Tshark
 
 from ev3proto.generate.dissector.build import files
-from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
+from ev3proto.generate.dissector.fields import HEXADECIMAL, filter_name
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Enumeration, Parameter, Type
 from ev3proto.tables.system import SYSTEM, FieldKind

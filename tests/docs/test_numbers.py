@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from support.cli import run_ev3proto_text
 
-from ev3proto.brick.deviations import DEVIATIONS
+from ev3proto.brick.limits import DEVIATIONS
 from ev3proto.tables import OPCODES
 from ev3proto.tables.enumerations import ENUMERATIONS
 from ev3proto.tables.system import SYSTEM

@@ -26,7 +26,7 @@ from support.stub_brick import reply, stub_brick
 
 import ev3proto
 from ev3proto import EV3, GV, direct_command, operation
-from ev3proto.brick.servers.faults import Faults
+from ev3proto.brick.servers.host import Faults
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
 from ev3proto.generate.captures import write_pcapng

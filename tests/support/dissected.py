@@ -27,8 +27,7 @@ from pyshark.packet.layers.xml_layer import XmlLayer
 
 import ev3proto
 from ev3proto.dialogue import Exchange, Value, reply_values
-from ev3proto.generate.dissector.fields import FIELDS
-from ev3proto.generate.dissector.names import filter_name
+from ev3proto.generate.dissector.fields import FIELDS, filter_name
 from ev3proto.messages import (
     Argument,
     DaisyCommand,

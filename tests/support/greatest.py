@@ -15,7 +15,7 @@ from pathlib import Path
 from ev3proto import GV, LV
 from ev3proto.brick import Brick
 from ev3proto.brick.dispatch import coverage
-from ev3proto.brick.servers.limits import STRETCH
+from ev3proto.brick.limits import STRETCH
 from ev3proto.messages import Variable
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Role, Type

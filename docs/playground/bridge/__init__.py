@@ -19,7 +19,7 @@ from ev3proto.capture.filter import FilterError, compile_filter
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.dialogue import Dialogue
-from ev3proto.program.explaining import explained
+from ev3proto.program.checking import explained
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.paste import read_argument

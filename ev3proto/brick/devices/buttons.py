@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from ev3proto.brick.parts import Part
+from ev3proto.brick.devices import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 from ev3proto.tables.enumerations import BUTTONTYPE
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from ev3proto.brick.parts import Part
+from ev3proto.brick.devices import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 from ev3proto.tables.enumerations import LEDPATTERN, WARNING
 

@@ -14,8 +14,8 @@ from typing import Any
 
 from ev3proto.brick.conversions import single
 from ev3proto.brick.declared import declared_device
+from ev3proto.brick.devices import Part
 from ev3proto.brick.devices.motors import Motor, Outputs
-from ev3proto.brick.parts import Part
 from ev3proto.brick.plugs import PORT_NAMES, port_name
 from ev3proto.tables.declaration import DATA8, DATA16, DATA32
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType, Mode, Range

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect
 from dataclasses import dataclass
 
-from ev3proto.brick.parts import Part
+from ev3proto.brick.devices import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 
 LOWEST, HIGHEST = 250, 10_000

@@ -8,7 +8,6 @@ from ev3proto.brick.operations import (  # noqa: F401 - registers the handlers
     branch,
     buttons,
     com,
-    compare,
     dialogues,
     drawing,
     factory_tests,

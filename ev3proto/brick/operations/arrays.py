@@ -8,8 +8,7 @@ from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Busy, Failure
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.steps import Busy, Failure, Steps
 from ev3proto.tables.declaration import NUMBER_TYPES, Type
 
 _STEP = 1000

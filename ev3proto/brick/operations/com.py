@@ -8,8 +8,8 @@ from typing import Any
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.running_programs import OK
+from ev3proto.brick.steps import Failure
 from ev3proto.tables.com import NAME_LETTERS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING

@@ -10,7 +10,7 @@ from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Busy
+from ev3proto.brick.steps import Busy
 from ev3proto.brick.text_lines import DELIMITERS, lines_of
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ev3proto.brick import path_names
 from ev3proto.brick.conversions import wrap8
 from ev3proto.brick.formatting import fixed, padded, read_number
 from ev3proto.brick.handlers import computes, handles
@@ -10,30 +9,44 @@ from ev3proto.brick.handles import NO_HANDLE
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import MOST_RECENT, OpenFile
-from ev3proto.brick.operation_exits import Busy, Failure
 from ev3proto.brick.running_programs import RUNNING
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.steps import Busy, Failure, Steps
 from ev3proto.brick.text_lines import DELIMITERS
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.tables.paths import ALLOWED, has_room, is_spelled
 
 IMAGE_EXTENSION = str(CONSTANTS["EXT_BYTECODE"]).encode(STRING_CODING)
 
 _MOST_NUMBER = 64
 """Bytes of a number's text."""
 
+_REPLACED = bytes(byte if byte in ALLOWED else ord("_") for byte in range(256))
+"""What the firmware makes of each character of a name."""
+
+
+def allowed_name(vm: Machine, place: Location) -> bytes | None:
+    """Reads a file's name as the firmware checks it; None if it is not allowed.
+
+    The error is logged unless the log has it already. Forbidden characters are replaced in memory, so that the name
+    passes the next time.
+    """
+    text = place.read_text()
+    is_allowed = is_spelled(text)
+    if not is_allowed:
+        place.write_bytes(text.translate(_REPLACED))
+    if is_allowed and has_room(text):
+        return text
+    vm.brick.settings.log_once("FILE_NAME_ERROR")
+    return None
+
 
 def checked_name(vm: Machine, place: Location) -> bytes | None:
-    """Reads a file's name, in the program's own folder unless it names another one; None if it is not allowed.
-
-    The error is logged unless the log has it already. Forbidden characters are replaced in memory.
-    """
-    if not path_names.check(place):
-        vm.brick.settings.log_once("FILE_NAME_ERROR")
-        return None
-    return in_own_folder(vm, place.read_text())
+    """Reads a file's name, in the program's own folder unless it names another one; None if it is not allowed."""
+    name = allowed_name(vm, place)
+    return None if name is None else in_own_folder(vm, name)
 
 
 def in_own_folder(vm: Machine, name: bytes) -> bytes:
@@ -256,10 +269,9 @@ def delete_entry(vm: Machine, folder: bytes, item: int) -> Steps[None]:
 @handles("FILE.PUT_CACHE_FILE", places=("STRING",))
 def put_recent(vm: Machine, place: Location) -> None:
     """Puts a file first in the list."""
-    if path_names.check(place):
-        vm.brick.recent.put(place.read_text())
-    else:
-        vm.brick.settings.log_once("FILE_NAME_ERROR")
+    name = allowed_name(vm, place)
+    if name is not None:
+        vm.brick.recent.put(name)
 
 
 @handles("FILE.GET_CACHE_FILE")

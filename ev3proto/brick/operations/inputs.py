@@ -10,7 +10,7 @@ from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, SENSOR_COUNT, SP
 from ev3proto.brick.handlers import computes, handles, handles_unknown
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Busy, Failure
+from ev3proto.brick.steps import Busy, Failure
 from ev3proto.tables.declaration import DATAF
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT
 

@@ -10,8 +10,7 @@ from ev3proto.brick.formatting import fixed, padded
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Busy
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.steps import Busy, Steps
 from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
 _NOTHING = b"nan"

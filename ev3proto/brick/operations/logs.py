@@ -12,8 +12,8 @@ from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
-from ev3proto.brick.operation_exits import Failure
 from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name
+from ev3proto.brick.steps import Failure
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operation_exits import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.running_programs import (
     BUSY,
     CMD_SLOT,
@@ -25,7 +24,7 @@ from ev3proto.brick.running_programs import (
     ProgramObject,
     Result,
 )
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.steps import Busy, Failure, Leave, Sleep, Steps, WildAccess
 from ev3proto.program import ProgramParameter
 from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.program import aligned

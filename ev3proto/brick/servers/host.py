@@ -8,18 +8,19 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from functools import partial
+from random import Random
 from typing import Protocol
 
 from ev3proto.brick.brick import Addressed, Brick
-from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
+from ev3proto.brick.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
 from ev3proto.errors import counted
 from ev3proto.schema.frame_buffer import FrameBuffer
 from ev3proto.schema.header import out_of_step
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import foreign, identify
-from ev3proto.tables.frame import MAX_FRAME
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
@@ -440,3 +441,24 @@ def _unfinished(left: bytes) -> str:
         return f"the connection ended inside a frame: {counted(len(left), 'byte')} of its length came"
     reason = advice(identify(buffer.pending)) or out_of_step(buffer.pending)
     return reason or f"the connection ended inside a frame: {len(buffer)} of its {counted(buffer.size, 'byte')} came"
+
+
+@dataclass
+class Faults:
+    """The faults of replies."""
+
+    delay: float = 0.0  # seconds by which each reply is delayed
+    drop: float = 0.0  # share of them that are lost, 0 to 1
+    corrupt: float = 0.0  # share of them in which one byte after the length field is changed, 0 to 1
+    random: Random = field(default_factory=Random)  # the random numbers; a seed makes them repeatable
+
+    def apply_to(self, reply: bytes) -> bytes | None:
+        """Returns the bytes to send for a reply; None if it is lost."""
+        if self.drop and self.random.random() < self.drop:
+            return None
+        if self.corrupt and self.random.random() < self.corrupt:
+            changed = bytearray(reply)
+            # The length stays right, so that later replies can still be read.
+            changed[self.random.randrange(LENGTH_FIELD, len(reply))] ^= self.random.randint(1, 0xFF)
+            return bytes(changed)
+        return reply

@@ -11,8 +11,8 @@ import os
 import select
 from pathlib import Path
 
+from ev3proto.brick.limits import MOST_UNREAD
 from ev3proto.brick.servers.host import Connection, Host, ServerError
-from ev3proto.brick.servers.limits import MOST_UNREAD
 
 _PERIOD = 0.05
 """Seconds between two checks whether the port is open."""

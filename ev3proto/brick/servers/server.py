@@ -14,10 +14,9 @@ from typing import Any
 
 from ev3proto.brick.brick import Brick
 from ev3proto.brick.devices.display.canvas import WIDTH
-from ev3proto.brick.devices.display.rendering import write_png
-from ev3proto.brick.servers.faults import Faults
-from ev3proto.brick.servers.host import Host, Say, ServerError
-from ev3proto.brick.servers.limits import STRETCH
+from ev3proto.brick.devices.display.pictures import write_png
+from ev3proto.brick.limits import STRETCH
+from ev3proto.brick.servers.host import Faults, Host, Say, ServerError
 from ev3proto.brick.servers.recording import Recorder
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script

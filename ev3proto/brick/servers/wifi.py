@@ -9,8 +9,8 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
+from ev3proto.brick.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
 from ev3proto.brick.servers.host import Ends, Line, ServerError
-from ev3proto.brick.servers.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
 from ev3proto.brick.servers.listening import Listener
 from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError

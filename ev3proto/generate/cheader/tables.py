@@ -5,9 +5,8 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 
-from ev3proto.generate.areas import AREA_TITLES
 from ev3proto.semantics.domain import comment, firmwares
-from ev3proto.tables import AREAS, daisy
+from ev3proto.tables import AREA_TITLES, AREAS, daisy
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Command, Direction, Opcode, Parameter
 from ev3proto.tables.enumerations import ENUMERATIONS

@@ -8,11 +8,37 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name, label
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables.discovery import BEACON_LINES
 from ev3proto.tables.output import MOTOR_LETTERS
-from ev3proto.tables.system import SYSTEM, FieldKind
+from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField
+
+FAMILIAR = {
+    "size": "file_len",
+    "hardware_version": "hw_id",
+    "firmware_version": "fw_id",
+    "name": "mailbox",
+    "name_length": "mailbox_length",
+}
+"""Filter names that differ from the tables: people have used them since the first dissectors for the EV3."""
+
+HEXADECIMAL = ("address", "checksum", "hardware_version", "firmware_version")
+"""Numbers usually written in hexadecimal."""
+
+
+def filter_name(command: SystemDeclaration, field: SystemField) -> str:
+    """Returns what follows `ev3.` in the filter name of a system message's field."""
+    if field.name == "path":
+        # A path belongs to a file if the command or its reply gives the file's length.
+        fields = (*command.request, *command.reply)
+        return "file_name" if any(other.name == "size" for other in fields) else "path_name"
+    return FAMILIAR.get(field.name, field.name)
+
+
+def label(field: SystemField) -> str:
+    """Returns the label of a field in the packet tree: `Max bytes`."""
+    return field.name.replace("_", " ").capitalize()
+
 
 _PIECES = ("data", "busy")
 """The parts of a daisy reply that are not numbers."""

@@ -10,9 +10,8 @@ from construct.core import SizeofError
 
 from ev3proto.capture import files
 from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
-from ev3proto.generate.dissector.fields import EXPERTS, FIELDS
+from ev3proto.generate.dissector.fields import EXPERTS, FIELDS, HEXADECIMAL, filter_name
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
-from ev3proto.generate.dissector.names import HEXADECIMAL, filter_name
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing

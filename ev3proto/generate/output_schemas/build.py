@@ -23,7 +23,7 @@ from ev3proto.generate.output_schemas.parts import (
     of_dataclass,
     reference,
 )
-from ev3proto.generate.tables_json.json_text import written
+from ev3proto.generate.tables_json.shapes import written
 from ev3proto.version import VERSION
 
 FILE_NAME = "ev3-output.schema.json"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ev3proto.generate.dissector.names import filter_name
+from ev3proto.generate.dissector.fields import filter_name
 from ev3proto.generate.pages.examples import explained, system_example
 from ev3proto.generate.pages.markdown import block, code, link, listed, plain, plain_sentence, table, try_it
 from ev3proto.tables.system import SYSTEM, UNUSED_STATUSES, SystemDeclaration, SystemField, SystemStatus

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from ev3proto.generate.tables_json.json_text import written
 from ev3proto.generate.tables_json.shapes import (
     JsonSchema,
     Object,
@@ -21,6 +20,7 @@ from ev3proto.generate.tables_json.shapes import (
     pair,
     ref,
     text,
+    written,
 )
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE

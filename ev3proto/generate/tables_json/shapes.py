@@ -1,7 +1,8 @@
-"""Objects of a JSON file: the schema of each property, and where its value comes from."""
+"""JSON files: the schema of each property and where its value comes from, and writing them as a person would."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Any
@@ -98,3 +99,31 @@ def flag(meaning: str) -> JsonSchema:
 def one_of(names: list[str], meaning: str) -> JsonSchema:
     """Returns the schema of one of some texts."""
     return {"enum": names, "description": meaning}
+
+
+WIDTH = 120
+INDENT = "  "
+
+
+def written(value: object) -> str:
+    """Returns a value as the text of a file. Raises TypeError for values that JSON lacks."""
+    return f"{_literal(value, 0, 0, 0)}\n"
+
+
+def _literal(value: object, depth: int, used: int, after: int) -> str:
+    """Returns a value at an indentation, with columns taken before its first line and after its last."""
+    line = json.dumps(value, ensure_ascii=False)
+    if not isinstance(value, dict | list) or not value or used + len(line) + after <= WIDTH:
+        return line
+    margin = INDENT * (depth + 1)
+    if isinstance(value, dict):
+        heads = [f"{json.dumps(str(key), ensure_ascii=False)}: " for key in value]
+        items = list(value.values())
+    else:
+        heads, items = [""] * len(value), value
+    rows = [
+        f"{margin}{head}{_literal(item, depth + 1, len(margin) + len(head), 1)}"
+        for head, item in zip(heads, items, strict=True)
+    ]
+    opening, closing = "{}" if isinstance(value, dict) else "[]"
+    return f"{opening}\n" + ",\n".join(rows) + f"\n{INDENT * depth}{closing}"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from ev3proto.brick.devices import Part
 from ev3proto.brick.devices.display import top_line
 from ev3proto.brick.devices.display.canvas import WIDTH, Canvas
 from ev3proto.brick.devices.display.fonts import FONTS, Font
@@ -16,7 +17,6 @@ from ev3proto.brick.devices.display.icons import ICONS
 from ev3proto.brick.devices.display.pictures import Picture
 from ev3proto.brick.devices.panel import Battery
 from ev3proto.brick.formatting import fixed
-from ev3proto.brick.parts import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 from ev3proto.brick.settings import Settings
 from ev3proto.tables.enumerations import FONTTYPE, ICONTYPE

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from ev3proto.brick.devices import Part
 from ev3proto.brick.devices.motors.motor import PERCENT, Motor, Reading, clamp
 from ev3proto.brick.devices.motors.move import Move, aligned
 from ev3proto.brick.devices.motors.pair import Pair
 from ev3proto.brick.devices.motors.rotor import CONTROL_PERIOD
-from ev3proto.brick.parts import Part
 from ev3proto.brick.running_programs import USER_SLOT, Program
 
 PORT_LETTERS = ("A", "B", "C", "D")

@@ -21,8 +21,8 @@ from importlib.resources import files
 from aiohttp import WSMsgType, web
 from aiohttp.http import HttpProcessingError
 
+from ev3proto.brick.limits import MOST_PAGE_CONNECTIONS
 from ev3proto.brick.servers.host import Host, ServerError
-from ev3proto.brick.servers.limits import MOST_PAGE_CONNECTIONS
 from ev3proto.brick.servers.listening import Listener
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from ev3proto.brick.brick import Brick
-from ev3proto.brick.deviations import DEVIATIONS
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.motors import PORT_LETTERS
 from ev3proto.brick.devices.sensors import SENSOR_COUNT
+from ev3proto.brick.limits import DEVIATIONS
 from ev3proto.brick.running_programs import RUNNING, USER_SLOT
 from ev3proto.brick.servers.page.watcher import Unshown
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE, DeviceType

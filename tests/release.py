@@ -22,8 +22,14 @@ ROOT = Path(__file__).parents[1]
 LEFT_OUT = {".ci/run", ".gitignore"}
 """Files of the repository that the source distribution does not need."""
 
-EXPORTED = {"ev3proto.h": "c-header", "ev3.ksy": "kaitai", "ev3.mjs": "javascript"}
-"""The argument of `ev3proto export` that prints each file."""
+EXPORTED = {
+    "ev3proto.h": "c-header",
+    "ev3.ksy": "kaitai",
+    "ev3.mjs": "javascript",
+    "ev3-decode.mjs": "javascript --decoder",
+    "ev3-texts.mjs": "javascript --texts",
+}
+"""The arguments of `ev3proto export` that print each file."""
 
 
 def main(dist: Path) -> None:
@@ -65,9 +71,9 @@ def try_wheel(wheel: Path, dist: Path, folder: Path) -> None:
     run(python, "-c", program[1], cwd=folder)
     print("the program in README.md: ok")
     run(ev3proto, "dissector", "install", "--dir", folder / "plugins", cwd=folder)
-    made = {name: run(ev3proto, "export", word, cwd=folder) for name, word in EXPORTED.items()}
+    made = {name: run(ev3proto, "export", *words.split(), cwd=folder) for name, words in EXPORTED.items()}
     made |= {file.name: file.read_text(encoding="utf-8") for file in (folder / "plugins").glob("*.lua")}
-    expect(len(made) == 4, f"the wheel makes only {', '.join(made)}")
+    expect(len(made) == len(EXPORTED) + 2, f"the wheel makes only {', '.join(made)}")
     for name, text in made.items():
         expect((dist / name).read_text(encoding="utf-8") == text, f"the wheel makes another {name}")
         print(f"{name}: as the wheel makes it")

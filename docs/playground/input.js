@@ -5,7 +5,7 @@ import { edit, replace } from "./editor.js";
 import { copy, find, make } from "./elements.js";
 import { EXAMPLES } from "./examples.js";
 import { home, LITTLE, look, source } from "./reading.js";
-import { firstAnswer } from "./rows.js";
+import { firstAnswer } from "./first.js";
 import { change, state } from "./state.js";
 import { onLine, view } from "./view.js";
 

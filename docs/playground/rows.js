@@ -1,10 +1,8 @@
-// The first frame without Python: what decode says of it as the lines of the page. It is the second path beside Python's tree, since a link's
-// frame is there after 0.7 s in place of 12 at 10 Mbit/s. It reads one frame in hex and no more; a test holds it to Python.
+// The lines and the header of one frame without Python, of what the exported decoder says: see first.js. A test holds them to Python's.
 
-import { decode, fieldsOf, parametersOf } from "./ev3-decode.mjs";
+import { fieldsOf, parametersOf } from "./ev3-decode.mjs";
 import { texts } from "./ev3-texts.mjs";
 
-/** @typedef {import("./ev3-decode.mjs").Message} Message */
 /** @typedef {import("./ev3-decode.mjs").Operation} Operation */
 /** @typedef {import("./ev3-decode.mjs").Argument} Argument */
 /** @typedef {import("./answer.js").Row} Row */
@@ -12,18 +10,13 @@ import { texts } from "./ev3-texts.mjs";
 
 /** Characters that steer a terminal, or hide a text within another. */
 const HARMFUL = /[\0-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\ufffe\uffff]/g;
-/** @param {string} text */
-const visible = (text) => text.replace(HARMFUL, (each) => `\\u${each.charCodeAt(0).toString(16).padStart(4, "0")}`);
-/** @param {number} count @param {string} noun */
-const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
-/** @param {string} hex */
-const spaced = (hex) => hex.toUpperCase().replace(/..(?=.)/g, "$& ");
-/** @param {number} byte */
-const byteName = (byte) => `0x${byte.toString(16).toUpperCase().padStart(2, "0")}`;
-/** @param {string} hex @returns {number[]} */
-const bytesOf = (hex) => (hex.match(/../g) ?? []).map((pair) => parseInt(pair, 16));
-/** @param {string} hex */
-const bytesText = (hex) => (hex.length <= 48 ? spaced(hex) : `${spaced(hex.slice(0, 48))} ... (${hex.length / 2} bytes)`);
+const visible = (text = "") => text.replace(HARMFUL, (each) => `\\u${each.charCodeAt(0).toString(16).padStart(4, "0")}`);
+const counted = (count = 0, noun = "") => `${count} ${noun}${count === 1 ? "" : "s"}`;
+const spaced = (hex = "") => hex.toUpperCase().replace(/..(?=.)/g, "$& ");
+const byteName = (byte = 0) => `0x${byte.toString(16).toUpperCase().padStart(2, "0")}`;
+/** Returns the bytes of a text in hex. */
+export const bytesOf = (hex = "") => Array.from(hex.match(/../g) ?? [], (pair) => parseInt(pair, 16));
+const bytesText = (hex = "") => (hex.length <= 48 ? spaced(hex) : `${spaced(hex.slice(0, 48))} ... (${hex.length / 2} bytes)`);
 
 /** Rounds as Python does, which takes the even digit of two that are equally near. @param {number} value @param {number} digits */
 const rounded = (value, digits) => {
@@ -49,33 +42,23 @@ const row = (pieces, offset = -1, length = 0, place = "") => {
   return offset < 0 ? [found, -1, 0, 0] : [found, 0, offset, length];
 };
 
-/** @type {Record<string, string>} */
-const LETTERS = { local: "L", global: "G" };
+const isVariable = (kind = "") => kind === "local" || kind === "global";
 /** @param {Argument} argument @param {boolean} isFloat */
 const argumentText = ({ kind, value, handle, address }, isFloat) => {
   let text = kind === "string" ? JSON.stringify(value) : isFloat ? shortFloat(value) : String(value);
-  if (kind in LETTERS) text = `${LETTERS[kind]}V(${text})`;
+  if (isVariable(kind)) text = `${kind === "local" ? "L" : "G"}V(${text})`;
   if (handle) text = `handle ${text}`;
   return address ? `address ${text}` : text;
 };
 
-/** @param {Argument} argument @param {string} unit @param {boolean} isFloat @param {Record<string, string>} [special] */
-const meaningOf = ({ kind, value, symbol }, unit, isFloat, special = {}) => {
-  if (kind in LETTERS || kind === "string") return "";
-  return symbol ?? (isFloat ? undefined : special[value]) ?? unit;
-};
-/** @param {Argument} argument @param {number} byte */
-const formOf = ({ encoding, kind, length, value }, byte) => (length === 1 && kind === "constant" && Number(value) < 0 ? `${encoding} ${byteName(byte)}` : encoding);
-/** @param {Argument} argument @param {number} index @param {Known} texts  of the operation */
-const saidOf = ({ name, quantity, unit }, index, { parameters, each }) => {
-  if (quantity) return unit ? `${quantity}, in ${unit}` : quantity;
-  return (name.endsWith("]") && each) || parameters[Math.min(index, parameters.length - 1)];
-};
+const meaningOf = (/** @type {Argument} */ { symbol, value }, /** @type {Record<string, string>} */ special, unit = "") => symbol ?? special[value] ?? unit;
+const formOf = (/** @type {Argument} */ { encoding, kind, length, offset, value }, /** @type {number[]} */ bytes) => (length === 1 && kind === "constant" && Number(value) < 0 ? `${encoding} ${byteName(bytes[offset])}` : encoding);
+const saidOf = (/** @type {Argument} */ { quantity, unit }, said = "") => (quantity && unit ? `${quantity}, in ${unit}` : quantity ?? said);
 
 /** @param {string} hex @param {Operation} operation @returns {Row[]} */
 const operationRows = (hex, operation) => {
   const { op, command, offset, length, args, command_encoding: encoding } = operation, name = command === null ? op : `${op}.${command}`;
-  const known = /** @type {Known} */ (texts.operations[name]), { area, text, special = {} } = known, declared = parametersOf(operation), bytes = bytesOf(hex);
+  const { area, text, parameters, special, each } = /** @type {Known} */ (texts.operations[name]), declared = parametersOf(operation), bytes = bytesOf(hex);
   const place = `${area}.html#${name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "")}`, at = (/** @type {number} */ each) => `  ${String(each).padStart(4)}  `;
   const rows = [row([[at(offset), "aside"], [name, "operation"], [`  ${text}`, "aside"]], offset, length, place)];
   if (encoding) {
@@ -84,39 +67,36 @@ const operationRows = (hex, operation) => {
   }
   const width = Math.max(0, ...args.map((each) => each.name.length));
   args.forEach((argument, index) => {
-    const { type, unit = "" } = /** @type {Known} */ (declared[index]), isFloat = argument.kind === "constant" && argument.length === 5 && type === "DATAF";
-    const meaning = meaningOf(argument, unit, isFloat, special[argument.name.replace(/\[.*/, "")]), form = formOf(argument, bytes[argument.offset] ?? 0);
+    const { name, kind } = argument, { type, unit } = /** @type {Known} */ (declared[index]), last = Math.min(index, parameters.length - 1);
+    const isFloat = kind === "constant" && argument.length === 5 && type === "DATAF", said = (name.endsWith("]") && each) || parameters[last];
+    const meaning = isVariable(kind) || kind === "string" ? "" : meaningOf(argument, isFloat ? {} : special[last], unit);
     rows.push(row([
-      [`${at(argument.offset)}  `, "aside"], [argument.name.padEnd(width), "name"], [" = ", "plain"], [argumentText(argument, isFloat), "value"],
-      [meaning && ` ${meaning}`, "meaning"], [`  ${form}: ${saidOf(argument, index, known)}`, "aside"],
+      [`${at(argument.offset)}  `, "aside"], [name.padEnd(width), "name"], [" = ", "plain"], [argumentText(argument, isFloat), "value"],
+      [meaning && ` ${meaning}`, "meaning"], [`  ${formOf(argument, bytes)}: ${saidOf(argument, said)}`, "aside"],
     ], argument.offset, argument.length));
   });
   return rows;
 };
 
-/** @param {string} kind @param {unknown} value @returns {string} */
+/** @type {(kind: string, value: unknown) => string} */
 const readingText = (kind, value) => {
   if (Array.isArray(value)) return `[${value.map((each) => readingText(kind, each)).join(", ")}]`;
   if (kind === "text" || kind === "string") return JSON.stringify(value);
   return kind === "DATAF" || kind === "number" ? shortFloat(/** @type {number} */ (value)) : String(value);
 };
-/** @param {Record<string, unknown>} [readings] */
-const readingsText = (readings = {}) => Object.entries(readings).map(([name, value]) => `${name} ${readingText(name, value)}`).join(" or ");
+const readingsText = (/** @type {object} */ readings = {}) => Object.entries(readings).map(([name, value]) => `${name} ${readingText(name, value)}`).join(" or ");
 
-const HEAD = { "direct-command": 7, "system-command": 6, "system-reply": 7, "daisy-command": 8, "daisy-reply": 7, "direct-reply": 5, unknown: 0 };
-/** Whether a frame ends before what every message of its kind has. @param {Message} message */
-const isHeadless = ({ kind, hex, length = 0 }) => Math.min(hex.length / 2, Math.max(length + 2, 5)) < HEAD[kind];
-/** @param {Known} message */
-const statusOf = ({ status_name: name, status_code: code }) => name ?? `status ${code}`;
-/** @param {Known} message */
-const commandOf = (message) => message.command ?? (isHeadless(message) ? "no command" : byteName(message.number));
+/** @type {Record<string, number>} */
+const HEAD = { "direct-command": 7, "system-command": 6, "system-reply": 7, "daisy-command": 8, "daisy-reply": 7, "direct-reply": 5 };
+/** Whether a frame ends before what every message of its kind has. @param {Known} message */
+const isHeadless = ({ kind, hex, length = 0 }) => Math.min(hex.length / 2, Math.max(length + 2, 5)) < (HEAD[kind] ?? 0);
+const statusOf = (/** @type {Known} */ message) => message.status_name ?? `status ${message.status_code}`;
+const commandOf = (/** @type {Known} */ message) => message.command ?? (isHeadless(message) ? "no command" : byteName(message.number));
 
-/** @typedef {[name: string, offset: number, length: number, text: string]} Part */
-/** Returns the fields of a header after the type. @param {Known} message @returns {Part[]} */
+/** Returns the fields of a header after the type. @type {(message: Known) => [name: string, offset: number, length: number, text: string][]} */
 const morePartsOf = (message) => {
   const { kind, number, fields, globals, locals, status_code: code } = message, at = kind === "daisy-command" ? 6 : 5;
-  /** @type {Part[]} */
-  const command = number === undefined ? [] : [["command", 5, 1, `${byteName(number)} ${commandOf(message)}`]];
+  const command = /** @type {ReturnType<typeof morePartsOf>} */ (number === undefined ? [] : [["command", 5, 1, `${byteName(number)} ${commandOf(message)}`]]);
   if (kind === "direct-command") return [["memory", 5, 2, `${globals} bytes global, for the reply; ${locals} bytes local, for its own use`]];
   if (kind === "system-reply") return [...command, ["status", 6, 1, `${code} ${statusOf(message)}`]];
   return kind.startsWith("daisy") ? [...command, ["layer_from", at, 1, String(fields.layer_from)], ["layer_to", at + 1, 1, String(fields.layer_to)]] : command;
@@ -126,16 +106,14 @@ const morePartsOf = (message) => {
 export const partsOf = (message) => {
   const { hex, type } = message, bytes = bytesOf(hex), size = bytes.length, [low = 0, high = 0, first = 0, second = 0, code = 0] = bytes;
   const stated = low + 256 * high, wrong = stated === size - 2 ? "" : ` according to it; in fact ${size - 2}`;
-  /** @type {Part[]} */
+  /** @type {ReturnType<typeof morePartsOf>} */
   const parts = [["length", 0, 2, `${counted(stated, "byte")} after this field${wrong}`], ["counter", 2, 2, `${first + 256 * second}; a reply has the counter of its command`]];
   if (type) parts.push(["type", 4, 1, `${byteName(code)} ${type}: ${texts.message_types[type]}`]);
   if (type && !isHeadless(message)) parts.push(...morePartsOf(message));
   return parts.filter(([, offset, length]) => offset + length <= size).map(([name, offset, length, text]) => ({ name, offset, length, text }));
 };
 
-/** @type {Record<string, string>} */
-const ORPHANED = { DIRECT_REPLY_ERROR: " (the command it answers was not seen: check that one to find the fault)" };
-/** @param {Known} message @returns {Row} */
+/** @type {(message: Known) => Row} */
 const headingOf = (message) => {
   const { kind, type, hex, status, counter } = message, size = counted(hex.length / 2, "byte"), [result, color] = status === "error" ? [": error", "fault"] : [": ok", "value"];
   if (!type) return row([[`no EV3 message, ${size}`, "heading"]], 0, hex.length / 2);
@@ -143,7 +121,7 @@ const headingOf = (message) => {
   if (kind === "system-reply" && isHeadless(message)) pieces.push([": no status", "fault"]);
   else if ("number" in message) pieces.push([": ", "plain"], [commandOf(message), "operation"], ...(kind === "system-reply" ? [[` ${statusOf(message)}`, color]] : []));
   else if (status) pieces.push([result, color]);
-  if (kind.endsWith("reply")) pieces.push([ORPHANED[type] ?? " (the command it answers was not seen)", "aside"]);
+  if (kind.endsWith("reply")) pieces.push([` (the command it answers was not seen${type === "DIRECT_REPLY_ERROR" ? ": check that one to find the fault" : ""})`, "aside"]);
   return row(pieces, 0, hex.length / 2);
 };
 
@@ -176,11 +154,8 @@ const CONTENTS = {
     else if (payload) rows.push(line(`payload ${bytesText(payload)}`));
     return rows;
   },
-  unknown: () => [],
 };
-
-/** The text in bytes that start like a string. @param {string} rest */
-const lettersOf = (rest) => {
+const lettersOf = (rest = "") => {
   const [head = 0, ...bytes] = bytesOf(rest), end = bytes.indexOf(0), text = String.fromCharCode(...(end < 0 ? bytes : bytes.slice(0, end)));
   return (head & 0xe3) === 0x80 && text && !/[\0-\x1f\x7f-\xa0\xad]/.test(text) ? `  "${text}..."` : "";
 };
@@ -192,23 +167,4 @@ export const rowsOf = (message) => {
   if (rest) rows.push(row([["        not read: ", "aside"], [shown, "plain"], [lettersOf(rest), "meaning"]], size - rest.length / 2, rest.length / 2));
   if (fault) rows.push(row([[`  fault at offset ${fault.offset}: ${fault.reason}`, "fault"]], fault.offset, 1));
   return rows;
-};
-
-/** Returns the bytes of a text that is one frame in hex: a word, the lesson's bars, or pairs that cannot be decimal. @param {string} text */
-export const frameOf = (text) => {
-  const isWord = /^(?:[0-9a-f]{2}){5,}$/i.test(text), isBars = /^0x\|(?:[0-9a-f]{2}[:|])+$/i.test(text), isPairs = /^[0-9a-f]{2}(?:[ :][0-9a-f]{2}){4,}$/i.test(text) && /[a-f]/i.test(text);
-  return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
-};
-
-/** Returns what the page shows of a frame until Python has read it; null for any other text. @param {string} text */
-export const firstAnswer = (text) => {
-  const frame = frameOf(text.trim());
-  if (!frame) return null;
-  const message = decode(frame), lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
-  const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
-  return {
-    error: "", count: 1, isProgram: false, isFixable: false, made: { lesson: "" }, dialogues: 0, found: {},
-    findings: { summary: "", verdict: { kind: /** @type {const} */ ("none"), text: "It is being checked." }, blocks: [], accepted: 0, places: [] },
-    lines, frames: { 0: message.hex }, rows: [], page: { first: 0, next: 0, begin: 1, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
-  };
 };

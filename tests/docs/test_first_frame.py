@@ -23,7 +23,7 @@ from ev3proto.text.tree import tree
 
 PROGRAM = """\
 import { readFileSync } from "node:fs";
-import { firstAnswer } from "./rows.js";
+import { firstAnswer } from "./first.js";
 const answers = JSON.parse(readFileSync(0, "utf8")).map(firstAnswer);
 const shown = ({ lines, about: { parts, sentence } }) => ({ lines, parts, sentence });
 console.log(JSON.stringify(answers.map((answer) => answer && shown(answer))));
@@ -34,7 +34,8 @@ def first_answers(folder: Path, texts: list[str]) -> list[dict[str, object] | No
     """What the page shows of each text before Python is there."""
     for name in ("ev3-decode.mjs", "ev3-texts.mjs"):
         shutil.copy(built_export(name), folder)
-    shutil.copy(PLAYGROUND / "rows.js", folder)
+    for name in ("first.js", "rows.js"):
+        shutil.copy(PLAYGROUND / name, folder)
     (folder / "package.json").write_text('{"type": "module"}')
     words = ["node", "--input-type=module", "--eval", PROGRAM]
     done = subprocess.run(words, input=json.dumps(texts), cwd=folder, capture_output=True, text=True, check=False)

@@ -60,9 +60,8 @@ const hexOf = (bytes) => { let text = ""; for (const byte of bytes) text += hexO
 const textOf = (bytes) => { let text = ""; for (const byte of bytes) text += String.fromCharCode(byte); return text; };
 const shown = (byte) => `0x${hexOfByte[byte].toUpperCase()}`;
 const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
-const viewOf = (bytes) => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 const READERS = new Map([[DATA8, "getInt8"], [DATA16, "getInt16"], [HANDLE, "getInt16"], [DATA32, "getInt32"], [DATAF, "getFloat32"]]);
-const numberAt = (bytes, kind, at) => viewOf(bytes)[READERS.get(kind)](at, true);
+const numberAt = (bytes, kind, at) => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)[READERS.get(kind)](at, true);
 const unsigned = (bytes, at, size) => { let value = 0; for (let index = size; index-- > 0;) value = value * 256 + bytes[at + index]; return value; };
 
 /** Returns a value as JSON has it: bytes as hex, and numbers that are not finite as texts. */

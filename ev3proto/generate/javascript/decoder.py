@@ -71,11 +71,13 @@ def build_decoder() -> str:
     tables: Json = json.loads(build_tables())
     found = {key: tables[key] for key in ("dialects", "frame")}
     found |= {key: _kept(tables[key], keys) for key, keys in _KEYS.items() if key in tables}
+    found["areas"] = {area: _kept(entries, _ENTRY) for area, entries in tables["areas"].items()}
+    named = set(re.findall(r'"enum": "(\w+)"', json.dumps(found["areas"])))
     found["enumerations"] = {
         name: {key: each[key] for key in ("members", "flags") if key in each}
         for name, each in tables["enumerations"].items()
+        if name in named
     }
-    found["areas"] = {area: _kept(entries, _ENTRY) for area, entries in tables["areas"].items()}
     tables_text = f"/** A part of ev3-tables.json. */\nconst TABLES = {_parsed(found)};\n\n"
     return _decoder_head() + tables_text + _written("decode.mjs")
 
@@ -101,21 +103,20 @@ def build_texts() -> str:
     }
     # By number: the bootloader has names of the firmware again.
     found["system_commands"] = {each["number"]: each["text"] for each in tables["system_commands"]}
-    found["operations"] = {
-        (f"{opcode['name']}.{command['name']}" if command else opcode["name"]): _said(area, command or opcode)
-        for area, opcodes in tables["areas"].items()
-        for opcode in opcodes
-        for command in opcode.get("commands", [None])
-    }
-    return f"{_texts_head()}export const texts = {_parsed(found)};\n"
+    areas: Json = {area: dict(_said(entries)) for area, entries in tables["areas"].items()}
+    return f"{_texts_head()}const found = {_parsed(found | {'areas': areas})};\n{_written('texts.mjs')}"
 
 
-def _said(area: str, entry: Json) -> Json:
-    parameters = entry["parameters"]
-    special = {each["name"]: each["special"] for each in parameters if "special" in each}
-    found = {"area": area, "text": entry["text"], "parameters": [each["text"] for each in parameters]}
-    each = next((parameter["each"] for parameter in parameters if "each" in parameter), None)
-    return found | ({"special": special} if special else {}) | ({"each": each} if each else {})
+def _said(opcodes: list[Json]) -> Iterator[tuple[str, list[Any]]]:
+    """Yields the name of each operation with its texts, as texts.mjs reads them."""
+    for opcode in opcodes:
+        for command in opcode.get("commands", [{}]):
+            entry = command or opcode
+            parameters = [
+                [each["text"], each["special"]] if "special" in each else each["text"] for each in entry["parameters"]
+            ]
+            elements = [each["each"] for each in entry["parameters"] if "each" in each]
+            yield ".".join(filter(None, (opcode["name"], command.get("name")))), [entry["text"], parameters, *elements]
 
 
 def build_decoder_types() -> str:

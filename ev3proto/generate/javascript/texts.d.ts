@@ -11,7 +11,7 @@ export declare const texts: {
     readonly parameters: readonly string[];
     /** Of each value in the list at its end, if that is not the text of its parameter. */
     readonly each?: string;
-    /** Single values with a meaning of their own, by parameter. */
-    readonly special?: Readonly<Record<string, Readonly<Record<string, string>>>>;
+    /** Single values with a meaning of their own, of each parameter. */
+    readonly special: readonly Readonly<Record<string, string>>[];
   }>>;
 };

@@ -1,0 +1,24 @@
+// The first frame without Python: the second path beside Python's tree, since a link's frame is there after 0.7 s in place of 12 at 10 Mbit/s.
+// It reads one frame in hex and no more.
+
+import { decode } from "./ev3-decode.mjs";
+import { bytesOf, partsOf, rowsOf } from "./rows.js";
+
+/** Returns the bytes of a text that is one frame in hex: a word, the lesson's bars, or pairs that cannot be decimal. @param {string} text */
+export const frameOf = (text) => {
+  const isWord = /^(?:[0-9a-f]{2}){5,}$/i.test(text), isBars = /^0x\|(?:[0-9a-f]{2}[:|])+$/i.test(text), isPairs = /^[0-9a-f]{2}(?:[ :][0-9a-f]{2}){4,}$/i.test(text) && /[a-f]/i.test(text);
+  return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
+};
+
+/** Returns what the page shows of a frame until Python has read it; null for any other text. @param {string} text */
+export const firstAnswer = (text) => {
+  const frame = frameOf(text.trim());
+  if (!frame) return null;
+  const message = decode(frame), lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
+  const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
+  return {
+    error: "", count: 1, isProgram: false, isFixable: false, made: { lesson: "" }, dialogues: 0, found: {},
+    findings: { summary: "", verdict: { kind: /** @type {const} */ ("none"), text: "It is being checked." }, blocks: [], accepted: 0, places: [] },
+    lines, frames: { 0: message.hex }, rows: [], page: { first: 0, next: 0, begin: 1, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
+  };
+};

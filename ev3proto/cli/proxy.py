@@ -82,8 +82,8 @@ def proxy(
     """Relays between a program and a brick, shows the dialogues and records them.
 
     The program connects to the proxy as to a WiFi brick; the real one may be on USB, Bluetooth or WiFi. This needs
-    neither a sniffer nor special permissions. One client is served at a time. The first line of the output says where
-    the proxy listens; Ctrl-C ends it.
+    neither a sniffer nor special permissions. One client is served at a time, with --read-only many are served in turn.
+    The first line of the output says where the proxy listens; Ctrl-C ends it.
 
     \b
       ev3proto proxy --to usb

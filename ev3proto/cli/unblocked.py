@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, BinaryIO, cast
 
+from ev3proto.cli.output import complain
+
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
 
@@ -29,6 +31,7 @@ class _Outlet(io.BufferedIOBase):
         self._changed = threading.Condition()
         self._waiting: deque[bytes] = deque()
         self._unread = 0
+        self.dropped = 0  # bytes that were not read in time
         self._error: OSError | None = None
         self._is_over = False
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -51,6 +54,8 @@ class _Outlet(io.BufferedIOBase):
                 self._waiting.append(piece)
                 self._unread += len(piece)
                 self._changed.notify()
+            else:
+                self.dropped += len(piece)
         return len(piece)
 
     def flush(self) -> None:
@@ -99,6 +104,8 @@ def unblocked_output() -> Iterator[None]:
     try:
         yield
     finally:
+        if dropped := sum(outlet.dropped for outlet in outlets):
+            complain(f"{dropped:,} bytes of the output were dropped: they were not read, and {MOST_UNREAD:,} waited")
         for outlet in outlets:
             outlet.end()
         sys.stdout, sys.stderr = streams

@@ -95,6 +95,11 @@ class Policy:
             reply = None if data is None else parse(data, strict=False)
         return Outcome()
 
+    def read_on(self) -> Talk:
+        """Reads one more piece of the file or folder that is open, and keeps it for the client."""
+        yield from self._reader.read_on()
+        return Outcome()
+
     def forget(self) -> None:
         """Forgets what is open: the connection is a new one, and the handles may be another client's."""
         self._reader.forget()
@@ -104,6 +109,11 @@ class Policy:
 def _transfer_of(message: Message) -> str | None:
     entry = SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
     return None if entry is None else entry.transfer
+
+
+def begins_transfer(message: Message) -> bool:
+    """Returns whether a command opens a file or folder."""
+    return _transfer_of(message) == "begin"
 
 
 def _is_later(message: Message) -> TypeGuard[SystemCommand]:

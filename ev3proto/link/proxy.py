@@ -1,7 +1,8 @@
 """The proxy: looks like a WiFi brick to any program, forwards everything to another brick, and returns its replies.
 
 Clients connect to the port of a virtual brick (`ev3proto.brick.servers.wifi`); one is served at a time, others wait.
-`relays` has what passes. One thread reads from the brick; everything else runs in one event loop.
+If only reading passes, many are served in turn. `relays` has what passes. One thread reads from the brick; everything
+else runs in one event loop.
 """
 
 from __future__ import annotations
@@ -30,16 +31,18 @@ from ev3proto.stream import Decoder, StreamError
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.discovery import BEACON_PORT
 
-_CLIENT = "client"
-"""The name of the one client in a recording."""
-
 _HIDDEN_HOST, _HIDDEN_PROXY = "192.0.2.1", "192.0.2.10"
 """The ends of a connection in recordings without addresses."""
 
-LEASE = 8.0
-"""Seconds without a whole frame after which a client of `is_read_only` is disconnected if another one waits."""
+MOST_CLIENTS = 32
+"""Clients of `is_read_only` that are served in turn; others wait."""
 
-_TURN = 0.1
+SILENCE = 8.0
+"""Seconds after which a client with half a frame is disconnected, if there are others; see `Proxy.queued`."""
+
+_TURN, _LOOK = 0.1, 1.0
+"""Seconds for which the brick is read, and between two looks for silent clients."""
+
 _MOST_ENDING, _ENDING = 2.0, 0.01
 """Seconds in which open files and listings are ended when the proxy ends, and between two looks."""
 
@@ -93,16 +96,16 @@ class Proxy:
         self._options = options
         self._wire = self._labelled(wire)
         self._reopen = reopen
-        self._is_renewed = False
+        self._is_reading, self._is_renewed = True, False
         self._counters = Counters()
         self._relay: Guard | Passing = Guard(self) if options.is_read_only else Passing(self)
         self._show = show
         self._recording = recording
-        self.client: Client | None = None  # the client that is served
+        self.clients: list[Client] = []  # those that are served
         self._error: BaseException | None = None
         self._is_over = asyncio.Event()
         self._loop = asyncio.new_event_loop()
-        self._wifi = Wifi(self, only_from=options.only_from)
+        self._wifi = Wifi(self, MOST_CLIENTS if options.is_read_only else 1, options.only_from)
         try:
             self._loop.run_until_complete(self._wifi.listen(options.address, options.port))
         except ServerError as error:
@@ -117,7 +120,7 @@ class Proxy:
         try:
             self._loop.run_until_complete(self._serve())
         finally:
-            self._is_over.set()
+            self._is_reading = False
             self._wire.stop()
             reader.join()
             self._wire.close()
@@ -134,10 +137,13 @@ class Proxy:
         serial_number = self._options.announced
         if serial_number is not None:
             self._wifi.announce(lambda: Beacon(serial_number, str(self.port)), self._options.beacon_port)
-        await self._is_over.wait()
+        while not self._is_over.is_set():
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._is_over.wait(), _LOOK)
+            self.queued()
         await self._wifi.close()
-        if self.client is not None:
-            self.gone(self.client)
+        for client in list(self.clients):
+            self.gone(client)
         ending = self._loop.time() + _MOST_ENDING
         while not self._relay.is_idle and self.lost is None and self._loop.time() < ending:
             await asyncio.sleep(_ENDING)
@@ -154,39 +160,40 @@ class Proxy:
             self._error = self._error or error
             self.stop()
 
-    # The client
+    # Clients
 
     def open(self, line: Line, name: str, carrier: str, ends: Ends, opening: Sequence[tuple[bytes, bool]]) -> _Session:
         """Begins to serve a client, and records the beginning of its connection."""
-        client = self.client = Client(line, name, Decoder(strict=False, dialect=self._options.dialect))
-        client.heard = self.now()
-        self._loop.call_soon(self.queued)
+        client = Client(line, name, Decoder(strict=False, dialect=self._options.dialect), self.now())
+        self.clients.append(client)
         host, proxy = ends
         if self._options.is_masked:
             opening = [(masked_opening(text), is_host) for text, is_host in opening]
             host, proxy = (_HIDDEN_HOST, host[1]), (_HIDDEN_PROXY, proxy[1])
-        self._record(lambda recording: recording.opened(_CLIENT, Carrier(carrier), host, proxy))
+        self._record(lambda recording: recording.opened(client, Carrier(carrier), host, proxy))
         for text, is_from_host in opening:
-            self._record(partial(_record_text, text, is_from_host))
+            self._record(partial(_record_text, client, text, is_from_host))
         return _Session(self, client)
 
     def queued(self) -> None:
-        """Ends the client that is served if it sends no whole frame while another one waits."""
-        client = self.client
-        if client is None or not self._options.is_read_only or not self._wifi.has_waiting:
-            return
-        left = LEASE if client.waiting else client.heard + LEASE - self.now()
-        if left > 0:
-            self.later(left, self.queued)
-            return
-        self.say_once(f"{client.name} was disconnected: it sent nothing for {LEASE:g} s, and another client waits")
-        client.line.drop()
+        """Ends the client that was silent for longest: with half a frame, or in the place of one that waits."""
+        waits = self._wifi.has_waiting
+        latest = self.now() - SILENCE
+        silent = [each for each in self.clients if each.heard <= latest and not each.waiting]
+        if not (waits and self._options.is_read_only):
+            silent = [each for each in silent if each.decoder.pending and (waits or len(self.clients) > 1)]
+        if silent:
+            client = min(silent, key=lambda each: each.heard)
+            self.say_once(f"{client.name} was disconnected: it sent no whole frame for {SILENCE:g} s, and others wait")
+            client.line.drop()
 
     def forward(self, client: Client, data: bytes) -> None:
         """Forwards what a client sends; bytes that are not frames end its connection."""
+        if not client.decoder.pending:
+            client.heard = self.now()
         # As it was sent, in part of a frame or several; names and PINs are found in whole frames only.
         if not self._options.is_masked:
-            self._record(lambda recording: recording.data(_CLIENT, data, True))
+            self._record(lambda recording: recording.data(client, data, True))
         try:
             for message in client.decoder.feed(data):
                 self._take_up(client, message)
@@ -197,20 +204,20 @@ class Proxy:
 
     def gone(self, client: Client) -> None:
         """Ends the dialogue with a client that has disconnected."""
-        if client is self.client:
+        if client in self.clients:
             left = client.decoder.pending
             fault = client.decoder.close() if left else None
             said = None if self._options.is_masked else advice(identify(left))
             self._end(client, None if fault is None else said or fault.reason)
 
     def _end(self, client: Client, reason: str | None) -> None:
-        self.client = None
+        self.clients.remove(client)
         if reason is not None:
             self.say_once(f"{client.name} sent bytes that are not a frame: {reason}; disconnected")
         left = client.decoder.pending
         if left and self._options.is_masked:
-            self._record(lambda recording: recording.data(_CLIENT, self._masked(left), True))
-        self._record(lambda recording: recording.closed(_CLIENT))
+            self._record(lambda recording: recording.data(client, self._masked(left), True))
+        self._record(lambda recording: recording.closed(client))
         self._relay.gone(client)
 
     def _masked(self, frame: bytes, request: bytes | None = None) -> bytes:
@@ -222,7 +229,7 @@ class Proxy:
         self._counters.sent(frame)
         shown = self._masked(frame)
         if self._options.is_masked:
-            self._record(lambda recording: recording.data(_CLIENT, shown, True))
+            self._record(lambda recording: recording.data(client, shown, True))
         elif (said := advice(foreign(frame))) is not None:
             self.say_once(f"{client.name}: {said}")
         self._relay.forward(Sent(client, message, self.records.sent(shown), frame))
@@ -232,7 +239,7 @@ class Proxy:
     def _read(self) -> None:
         """Reads from the brick, in a thread of its own."""
         try:
-            while not self._is_over.is_set():
+            while self._is_reading:
                 if self._is_renewed:
                     self._reconnect()
                 data = self._wire.receive(_TURN)
@@ -288,7 +295,7 @@ class Proxy:
     def answer(self, sent: Sent | None, client: Client, frame: bytes, note: str | None = None) -> None:
         """Sends a reply to a client, shows and records it, with a note on the pairing."""
         faults = self._options.faults
-        command = None if sent is None else sent.command
+        command, client.heard = None if sent is None else sent.command, self.now()
         reply = faults.apply_to(frame)
         if reply is None:
             self.say_once("a reply was dropped (--drop)")
@@ -297,7 +304,7 @@ class Proxy:
             return
         request = sent.frame if sent is not None and self._counters.is_sure(reply) else None
         shown = self._masked(reply, request)
-        self._record(lambda recording: recording.data(_CLIENT, shown, False))
+        self._record(lambda recording: recording.data(client, shown, False))
         self._show(RequestReply(command, self.records.received(shown, command, note)))
         if faults.delay:
             self._loop.call_later(faults.delay, client.line.send, reply)
@@ -334,8 +341,8 @@ class _Session:
         self._proxy.act(lambda: self._proxy.gone(self._client))
 
 
-def _record_text(text: bytes, is_from_host: bool, recording: Recording) -> None:
-    recording.data(_CLIENT, text, is_from_host)
+def _record_text(client: Client, text: bytes, is_from_host: bool, recording: Recording) -> None:
+    recording.data(client, text, is_from_host)
 
 
 def _raise(error: Exception) -> None:

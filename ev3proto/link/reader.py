@@ -21,6 +21,9 @@ from ev3proto.tables.system import SystemStatus
 
 FIRST_HANDLE, _HANDLES = 64, 128
 
+MOST_KEPT = 1 << 22
+"""Bytes of a file that are kept for a client while another one reads."""
+
 
 class Reader:
     """Reads the file or folder of a client; at most one is open on the brick.
@@ -55,8 +58,7 @@ class Reader:
         had = -1
         while had < len(self._rest) <= asked and self._transfers:
             had = len(self._rest)
-            go_on = continue_list_files if is_listing(name) else continue_upload
-            yield from self._exchange(go_on(next(iter(self._transfers))))
+            yield from self._exchange_next()
         piece, self._rest = self._rest[:asked], self._rest[asked:]
         self._sent += len(piece)
         status = SystemStatus.SUCCESS
@@ -86,7 +88,7 @@ class Reader:
         had = -1
         while self._transfers and had < len(self._rest) < self._size:
             had = len(self._rest)
-            yield from self._exchange(continue_list_files(next(iter(self._transfers))))
+            yield from self._exchange_next()
         listing = read_listing(self._rest)
         yield from self.leave()
         if status is None and file not in {one.name for one in listing.files}:
@@ -102,17 +104,33 @@ class Reader:
         self._size, self._sent = int(reply.fields.get("list_size", reply.fields.get("size", 0))), 0
         return None
 
+    def read_on(self) -> Generator[bytes, bytes | None, None]:
+        """Reads one more piece, and keeps it until it is asked for. Ends a file that gives none, or too much."""
+        had = len(self._rest)
+        yield from self._exchange_next()
+        if not had < len(self._rest) <= MOST_KEPT:
+            yield from self._end()
+
     def leave(self) -> Generator[bytes, bytes | None, None]:
-        """Ends what is open on the brick."""
-        ending, reply = self._transfers.ending(), None
-        while (command := next_of(ending, reply)) is not None:
-            reply = yield from self._exchange(command)
+        """Ends what is open on the brick, and forgets what was read of it."""
+        yield from self._end()
         self.handles.clear()
         self._rest = b""
+
+    def _end(self) -> Generator[bytes, bytes | None, None]:
+        ending, reply, rest = self._transfers.ending(), None, self._rest
+        while (command := next_of(ending, reply)) is not None:
+            reply = yield from self._exchange(command)
+        self._rest = rest
 
     def forget(self) -> None:
         """Forgets what is open: the connection is a new one."""
         self._transfers.clear()
+
+    def _exchange_next(self) -> Generator[bytes, bytes | None, None]:
+        """Reads the next piece of what is open."""
+        ((handle, name),) = self._transfers.items()
+        yield from self._exchange((continue_list_files if is_listing(name) else continue_upload)(handle))
 
     def _exchange(self, command: SystemCommand) -> Generator[bytes, bytes | None, SystemReply | None]:
         data = yield command.build()

@@ -1,4 +1,4 @@
-"""The two ways of a proxy to pass commands on: everything at once, or what reads, one command at a time."""
+"""The two ways of a proxy to pass commands on: everything at once, or what reads, a command of each client in turn."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Protocol
 from ev3proto.brick.servers.host import Line
 from ev3proto.capture.record import Record
 from ev3proto.link.harm import Harm
-from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk
+from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk, begins_transfer
 from ev3proto.link.records import Records
 from ev3proto.link.refusals import refused
 from ev3proto.link.reply_stream import ReplyStream
@@ -45,7 +45,7 @@ class Sent:
 class Owner(Protocol):
     """The proxy, as its relay sees it."""
 
-    client: Client | None  # the client that is served
+    clients: list[Client]  # those that are served
     records: Records
 
     @property
@@ -75,15 +75,16 @@ class Owner(Protocol):
 
 
 class Client:
-    """The client that is served."""
+    """A client that is served."""
 
-    def __init__(self, line: Line, name: str, decoder: Decoder) -> None:
+    def __init__(self, line: Line, name: str, decoder: Decoder, heard: float) -> None:
         self.line = line  # its connection
         self.name = name  # its address and port
         self.decoder = decoder  # what it sent
-        self.transfers = OpenTransfers()
+        self.heard = heard  # when its newest whole frame, or the first byte of another one, came, or was answered
+        self.transfers = OpenTransfers()  # for `Passing`
+        self.policy = Policy()  # for `Guard`
         self.waiting: deque[Sent] = deque()  # its commands that `Guard` has not done yet, oldest first
-        self.heard = 0.0  # when its newest whole frame came
         self._reasons: set[str] = set()
 
     def hold(self, reason: str, is_held: bool) -> None:
@@ -99,7 +100,7 @@ class Passing:
         self._owner = owner
         self._pairing: Pairing[Sent] = Pairing(_MOST_WAITING, give_up=self._give_up)
         self._stream = ReplyStream(lambda _counter: True)
-        self._nobody = Client(None, "the proxy", Decoder())  # type: ignore[arg-type]
+        self._nobody = Client(None, "the proxy", Decoder(), 0.0)  # type: ignore[arg-type]
         self._endings: deque[Ending] = deque()  # of the transfers that clients have left open
         self._ended: SystemCommand | None = None  # the command under way for the first of them
 
@@ -129,7 +130,6 @@ class Passing:
     def heard(self, data: bytes) -> None:
         """Takes bytes from the brick."""
         for part in self._stream.feed(data):
-            client = self._owner.client
             if isinstance(part, OutOfStep):
                 self._owner.say_once(_dropped(part, self._stream.pending))
                 continue
@@ -140,11 +140,12 @@ class Passing:
                 continue
             if sent is not None and isinstance(sent.message, SystemCommand):
                 sent.client.transfers.learn(sent.message, parse(part, strict=False))
-                if sent.client is not client:
+                if sent.client not in self._owner.clients:
                     self._leave(sent.client)
             # Replies to a client that has disconnected are withheld from the next one.
-            if client is not None and (sent is None or sent.client is client):
-                self._owner.answer(sent, client, part, note)
+            for client in self._owner.clients:
+                if sent is None or sent.client is client:
+                    self._owner.answer(sent, client, part, note)
 
     def gone(self, client: Client) -> None:
         """Shows the commands of a client that has disconnected."""
@@ -177,11 +178,15 @@ class Passing:
 
     def _give_up(self, sent: Sent) -> None:
         """Shows a command that was given up; those of a disconnected client were shown."""
-        if sent.client is self._owner.client:
+        if sent.client in self._owner.clients:
             self._owner.unanswered(sent)
 
     def _now_ns(self) -> int:
         return round(self._owner.now() * _NANOSECONDS)
+
+
+def _begins(client: Client) -> bool:
+    return begins_transfer(client.waiting[0].message)
 
 
 def _dropped(part: OutOfStep, pending: bytes) -> str:
@@ -191,39 +196,48 @@ def _dropped(part: OutOfStep, pending: bytes) -> str:
 
 
 class Guard:
-    """Passes on what reads, one command at a time; what a client leaves behind is ended before the next is served."""
+    """Passes on what reads, one command at a time, of each client in turn.
+
+    A brick continues the file that was opened last, whatever the handle. So before one client begins a transfer, the
+    open one of another is read to its end, piece by piece between the commands of others, and kept for it.
+    """
 
     def __init__(self, owner: Owner) -> None:
         self._owner = owner
-        self._policy = Policy()
         self._session = Session()
+        self._turns: deque[Client] = deque()  # those whose commands wait, the next one first
+        self._left: deque[Client] = deque()  # those that have disconnected, and may have left something open
         self._talk: Talk | None = None
         self._sent: Sent | None = None
+        self._has_read_on = False
         self._request: Request | None = None
         self._cancel: Callable[[], None] = lambda: None
-        self._gone: str | None = None
 
     @property
     def is_idle(self) -> bool:
         """Whether nothing is under way, and nothing has to be closed."""
-        return self._talk is None and self._gone is None
+        return self._talk is None and not self._left
 
     def forward(self, sent: Sent) -> None:
-        """Queues a command of the client."""
-        sent.client.waiting.append(sent)
+        """Queues a command of a client."""
+        client = sent.client
+        if not client.waiting:
+            self._turns.append(client)
+        client.waiting.append(sent)
+        client.hold("a command is under way", True)
         self._next()
 
     def heard(self, data: bytes) -> None:
         """Takes bytes from the brick."""
-        client = self._owner.client
         for event in self._session.feed(data):
             if isinstance(event, OutOfStep):
                 self._owner.say_once(_dropped(event, self._session.pending))
             elif isinstance(event, Answered) and event.request is self._request:
                 self._cancel()
                 self._step(event.frame)
-            elif isinstance(event, Stray) and event.oddity is Oddity.UNASKED and client is not None:
-                self._owner.answer(None, client, event.frame)
+            elif isinstance(event, Stray) and event.oddity is Oddity.UNASKED:
+                for client in self._owner.clients:
+                    self._owner.answer(None, client, event.frame)
         self._next()
 
     def gone(self, client: Client) -> None:
@@ -231,28 +245,39 @@ class Guard:
         for sent in client.waiting:
             self._owner.unanswered(sent)
         client.waiting.clear()
-        self._gone = client.name
+        if client in self._turns:
+            self._turns.remove(client)
+        self._left.append(client)
         self._next()
 
     def renewed(self) -> None:
         """Learns that the connection to the brick is a new one."""
         self._session = Session()
         self._step(None)
-        self._policy.forget()
+        for client in self._owner.clients:
+            client.policy.forget()
+        self._left.clear()
         self._next()
 
     def _next(self) -> None:
-        """Begins with the next command if none is under way."""
-        client = self._owner.client
-        while self._talk is None and (self._gone is not None or (client is not None and client.waiting)):
-            if self._gone is not None:
-                self._talk, self._gone = self._policy.leave(), None
-            elif client is not None:
-                self._sent = client.waiting[0]
-                self._talk = self._policy.talk(self._sent.message)
+        """Begins with what is next, if nothing is under way."""
+        while self._talk is None and (self._left or self._turns):
+            self._talk = self._left.popleft().policy.leave() if self._left else self._turn()
             self._step(None)
-        if client is not None:
-            client.hold("a command is under way", self._talk is not None)
+
+    def _turn(self) -> Talk:
+        """Begins the next command, or reads on in the file that keeps the first one waiting that begins another."""
+        opener = next((one for one in self._owner.clients if one.policy.has_open), None)
+        first = next((one for one in self._turns if _begins(one)), None)
+        is_blocked = first is not None and opener not in (None, first)
+        ready = next((one for one in self._turns if not _begins(one) or (one is first and not is_blocked)), None)
+        self._has_read_on = is_blocked and (ready is None or not self._has_read_on)
+        if self._has_read_on or ready is None:
+            assert opener is not None
+            return opener.policy.read_on()
+        self._turns.remove(ready)
+        self._sent = ready.waiting[0]
+        return ready.policy.talk(self._sent.message)
 
     def _step(self, reply: bytes | None) -> None:
         """Continues with a reply, until the next frame is sent to the brick."""
@@ -263,7 +288,6 @@ class Guard:
         except StopIteration as end:
             sent, self._sent, self._talk = self._sent, None, None
             if sent is not None and sent in sent.client.waiting:
-                sent.client.waiting.remove(sent)
                 self._done(sent, end.value)
             return
         # With its own counter: no other command waits.
@@ -272,14 +296,18 @@ class Guard:
         self._owner.send(self._request.frame)
 
     def _done(self, sent: Sent, outcome: Outcome) -> None:
-        """Answers a client's command."""
-        reply = outcome.reply
+        """Answers a client's command, which queues up with its next one."""
+        reply, client = outcome.reply, sent.client
+        client.waiting.popleft()
+        if client.waiting:
+            self._turns.append(client)
+        client.hold("a command is under way", bool(client.waiting))
         if outcome.harms:
             reply = self._refused(sent.message, outcome.harms)
         if reply is None or not sent.message.wants_reply:
             self._owner.unanswered(sent)
         else:
-            self._owner.answer(sent, sent.client, reply)
+            self._owner.answer(sent, client, reply)
 
     def _refused(self, message: Message, harms: Mapping[Harm, str]) -> bytes | None:
         reasons = ", ".join(f"{name} {harm.text}" for harm, name in harms.items())

@@ -22,9 +22,9 @@ from ev3proto.capture.filter import language
 from ev3proto.capture.finding import MOST_TRIALS
 from ev3proto.capture.formats import pcapng
 from ev3proto.capture.timeline import collecting
-from ev3proto.cli import live, values
+from ev3proto.cli import live, unblocked, values
 from ev3proto.cli.annotations import MOST_COMPLAINTS
-from ev3proto.link import file_moves
+from ev3proto.link import file_moves, proxy, reader
 from ev3proto.program.checking import MOST_OF_A_CODE
 from ev3proto.reading import kinds
 from ev3proto.tables.claims import MOST_HELD, STRANGE_PACKETS
@@ -63,6 +63,9 @@ LIMITS = [
     f"{files.MOST_FILES:,}",
     f"{statistics.MOST_PEERS}; {statistics.MOST_TRANSFERS}; {statistics.MOST_LISTED}",
     f"{collecting.MOST_MARKS:,}, about 150 MiB",
+    f"{unblocked.MOST_UNREAD // MIB} MiB",
+    proxy.MOST_CLIENTS,
+    f"{reader.MOST_KEPT // MIB} MiB for each client",
     f"{MOST_COMPLAINTS:,}",
     f"{series.MOST_CELLS:,}, about 160 MiB",
     f"{values.MOST_SHOWN}, {values.MOST_COLUMNS['csv']:,}",

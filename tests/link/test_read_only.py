@@ -205,6 +205,13 @@ def test_a_listing_that_is_left_is_read_to_its_end() -> None:
             assert client.ask(BATTERY)[5:] == b"\x64"
         assert stub.commands == [LIST, *[CONTINUE_LIST] * 4]
         assert stub.got[-1] == BATTERY
+        count = 0
+        with Client(found.proxy.port) as client:
+            assert client.ask(begin("../prjs/", 3, LIST))[6] == 0
+            # The proxy ends while this client is connected.
+            found.proxy.stop()
+            found.thread.join(30)
+        assert stub.commands == [LIST, *[CONTINUE_LIST] * 4] * 2
 
 
 def test_a_handle_is_one_of_an_own_reply(tmp_path: Path) -> None:
@@ -295,6 +302,125 @@ def test_a_lost_reply_renews_the_connection(monkeypatch: pytest.MonkeyPatch) -> 
         assert client.ask(BATTERY)[5:] == b"\x64"
         assert found.said == ["no answer from the brick within 0.3 s; the connection to it is made anew"]
         assert found.shown[0].startswith("UI_READ.GET_LBATT(PCT=GV(0)) -> no reply")
+
+
+# 16 to 19: several clients
+
+
+def whole(client: Client, path: str, asked: int) -> Iterator[bytes]:
+    """Reads a file in pieces of a size, one at each step."""
+    reply = client.ask(begin(path, asked))
+    assert reply[6] in (0, 8), reply.hex()
+    handle, data, status = reply[11:12], reply[12:], reply[6]
+    size = int.from_bytes(reply[7:11], "little")
+    yield data
+    while status != 8:
+        reply = client.ask(system(CONTINUE_UPLOAD, handle + asked.to_bytes(2, "little")))
+        status = reply[6]
+        assert status in (0, 8), (len(data), size)
+        data += reply[8:]
+        yield data
+    assert len(data) == size
+
+
+def test_clients_that_read_at_once_get_their_own_files(tmp_path: Path) -> None:
+    """A brick continues the file that was opened last, whatever the handle."""
+    with guarded(tmp_path) as (brick, found), contextlib.ExitStack() as stack:
+        files = {f"{number}.rtf": bytes((number,)) * (5000 + number) for number in range(8)}
+        for name, data in files.items():
+            (tmp_path / "prjs" / name).write_bytes(data)
+        clients = [stack.enter_context(Client(found.proxy.port)) for _ in files]
+        readers = [
+            whole(client, f"../prjs/{name}", asked)
+            for client, name, asked in zip(clients, files, (90, 97, 100, 500, 1000, 1012, 1016, 4096), strict=True)
+        ]
+        got = dict.fromkeys(files, b"")
+        for turn in range(20):
+            for name, reader, client in zip(files, readers, clients, strict=True):
+                got[name] = next(reader, got[name])
+                assert len(brick.now.brick._system._transfers) <= 1
+                if turn % 5 == 0:
+                    assert client.ask(BATTERY)[4] == 2
+        for name, reader in zip(files, readers, strict=True):
+            for got[name] in reader:
+                pass
+        assert got == files
+        assert found.said == []
+
+
+def test_a_client_in_turn_waits_for_one_command_of_each_other(tmp_path: Path) -> None:
+    order: list[int] = []
+
+    def slow(frame: bytes) -> bytes:
+        order.append(frame[2])
+        time.sleep(0.02)
+        return reply(frame, b"\x64")
+
+    with before(slow) as (_, found), Client(found.proxy.port) as greedy, Client(found.proxy.port) as other:
+        greedy.send(b"".join(direct(operation("UI_READ.GET_LBATT", GV(0)), counter=1) for _ in range(40)))
+        until(lambda: len(order) > 2)
+        for _ in range(5):
+            begun = len(order)
+            assert other.ask(direct(operation("UI_READ.GET_LBATT", GV(0)), counter=2))[4] == 2
+            assert 2 in order[begun : begun + 3]
+
+
+def test_more_than_is_kept_for_a_client_ends_its_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.link.reader.MOST_KEPT", 5000)
+    pieces = 0
+
+    def long(frame: bytes) -> bytes:
+        nonlocal pieces
+        if frame[4] == 0:
+            return reply(frame, b"\x64")
+        if frame[5] == LIST:
+            pieces = 0
+            return answered(frame, 0, 255, 255, 0, 0, 5, *b"./\n")
+        pieces += 1
+        return answered(frame, 8 if pieces > 9 else 0, 5, *bytes(900))
+
+    with (
+        before(long) as (_, found),
+        Client(found.proxy.port) as first,
+        Client(found.proxy.port) as second,
+        Client(found.proxy.port) as third,
+    ):
+        handle = first.ask(begin("../prjs", 10, LIST))[11:12]
+        second.send(begin("../prjs", 10, LIST))
+        for _ in range(4):
+            assert third.ask(BATTERY)[4] == 2
+        assert second.reply()[6] == 0
+        got = [first.ask(system(CONTINUE_LIST, handle + b"\xf4\x03")) for _ in range(9)]
+        assert sum(len(one) - 8 for one in got) < 6500
+        assert got[-1][6] != 0
+
+
+@pytest.mark.parametrize("is_read_only", [False, True])
+def test_half_a_frame_is_given_up_while_others_wait(is_read_only: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.link.proxy.SILENCE", 0.4)
+    monkeypatch.setattr("ev3proto.link.proxy._LOOK", 0.05)
+    with relay("virtual", is_read_only=is_read_only) as found, Client(found.proxy.port) as half:
+        half.send(BATTERY[:-1])
+        assert half.is_silent(1.0)  # it is the only client
+        with Client(found.proxy.port) as other:
+            assert other.ask(BATTERY)[4] == 2
+            with pytest.raises(ConnectionError):
+                half.read(1)
+        assert "sent no whole frame for 0.4 s, and others wait" in found.said[0]
+
+
+def test_the_quietest_of_many_clients_gives_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.link.proxy.MOST_CLIENTS", 3)
+    monkeypatch.setattr("ev3proto.link.proxy.SILENCE", 0.4)
+    monkeypatch.setattr("ev3proto.link.proxy._LOOK", 0.05)
+    with relay("virtual", is_read_only=True) as found, contextlib.ExitStack() as stack:
+        clients = [stack.enter_context(Client(found.proxy.port)) for _ in range(3)]
+        time.sleep(0.5)
+        assert [client.ask(BATTERY)[4] for client in clients[1:]] == [2, 2]
+        with Client(found.proxy.port) as late:
+            assert late.ask(BATTERY)[4] == 2
+            with pytest.raises(ConnectionError):
+                clients[0].read(1)
 
 
 # replay

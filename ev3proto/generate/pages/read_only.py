@@ -19,8 +19,9 @@ _RULES = (
     f"**Waiting.** At most {MOST_WAITS} operations of a command may wait.",
     "**Paths** are `..` or `/home/root/lms2012` and names below it, without `.` and `..`, at most 100 characters.",
     "**Replies are required.**",
-    "**One command at a time**, and one file or listing at a time. It is read in pieces of the proxy's own; sizes and"
-    " handles of the client do not reach the brick, and what a client leaves open is ended.",
+    "**One command at a time** of each client in turn. A file or listing is read in pieces of the proxy's own; sizes"
+    " and handles of a client do not reach the brick. Before another client begins one, the open one is read to its"
+    " end, and kept for its client. What a client leaves open is ended.",
 )
 
 

@@ -52,6 +52,7 @@ export const WARM_UP = [
   ["complete", "SOUND(TONE, 1"],
   ["complete", "UI_WRTE"],
   ["to_send"],
+  ["stop_motors"],
   ["tick", 0.05],
   ["turn"],
 ];

@@ -31,7 +31,7 @@ follow((known) => {
   inside(find("progress"), "span", HTMLElement).textContent = known.progress.count ? counted(known.progress.count) : "Reading …";
 });
 
-const brick = showBrick(find("brick"), async (action) => {
+const brick = showBrick(find("brick"), find("more"), async (action) => {
   const said = await home().ask("act", JSON.stringify(action));
   if (said) brick.take(said);
 });

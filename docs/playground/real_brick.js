@@ -5,7 +5,7 @@ import { openBluetooth, openUsb, Refused } from "./carriers.js";
 import { filled, find, inside, make, remember, remembered, saveAs } from "./elements.js";
 import { change, follow, state } from "./state.js";
 
-const NONE = "Not connected to a real brick: what you send goes to the virtual one below.";
+const NONE = "Not connected to a real brick: what you send goes to the virtual one.";
 const MOST_TALKS = 20;
 const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor Web Serial. Chrome, Edge and Opera on a computer or a"
   + " Chromebook have both, on pages with https or from localhost. Chromium as a snap cannot reach USB: install Chrome, or Chromium as a package.";
@@ -70,7 +70,7 @@ export const realBrick = (python) => {
   let result = null;
   let isNew = false;
   let connected = "";
-  const watch = find("watch", HTMLInputElement);
+  const watch = find("watch", HTMLInputElement), virtual = find("virtual", HTMLDetailsElement);
   watch.checked = remembered(QUIET) === null;
   /** @param {string} text */
   const status = (text) => { find("brick-status").textContent = text; };
@@ -81,13 +81,13 @@ export const realBrick = (python) => {
       find(id).hidden = connection !== "none";
       find(id, HTMLButtonElement).disabled = isConnecting;
     }
-    for (const id of ["disconnect", "stop-motors", "talk"]) find(id).hidden = connection === "none";
+    for (const id of ["disconnect", "talk"]) find(id).hidden = connection === "none";
   });
   const showState = () => {
     find("facts").hidden = true;
     find("facts").replaceChildren();
     // A real brick has the place of the virtual one.
-    find("virtual", HTMLDetailsElement).open = wire === null;
+    virtual.open = wire === null;
     find("brick-files", HTMLDetailsElement).open = false;
     change({ connection: wire?.kind ?? "none", isComparing: false });
   };
@@ -156,6 +156,7 @@ export const realBrick = (python) => {
   find("disconnect").onclick = () => disconnect(true);
 
   find("stop-motors").onclick = () => python().ask("stop_motors");
+  virtual.ontoggle = () => { find("more").hidden = !virtual.open; };
 
   // Answers
 

@@ -1,6 +1,6 @@
 // The Send button: what is in the input goes to the real brick, or to the virtual one if none is connected.
 
-import { showBench } from "./bench.js";
+import { showEffect } from "./effect.js";
 import { find, saveAs } from "./elements.js";
 import { current, home, source } from "./reading.js";
 import { change, flash, state } from "./state.js";
@@ -20,7 +20,7 @@ export const sending = (real) => {
     change({ error });
     if (!isSent) return;
     flash("send", "Sent");
-    if (getComputedStyle(find("show-brick")).display !== "none") showBench(true);
+    showEffect();
   };
 };
 

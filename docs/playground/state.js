@@ -19,7 +19,6 @@
  * @property {"none" | "usb" | "bluetooth"} connection  the carrier of the real brick
  * @property {boolean} isConnecting  whether a connection is being opened
  * @property {boolean} isComparing  whether the real brick is being compared with the virtual one
- * @property {boolean} isBenchOpen  whether a narrow window shows the bricks
  * @property {Readonly<Record<string, string>>} flashes  what a button says for a moment, by its id
  */
 
@@ -42,7 +41,6 @@ let now = {
   connection: "none",
   isConnecting: false,
   isComparing: false,
-  isBenchOpen: false,
   flashes: {},
 };
 
@@ -86,7 +84,6 @@ const TEXTS = {
   link: () => "Copy a link",
   copy: () => "Copy",
   compare: ({ isComparing }) => (isComparing ? "Stop comparing" : "Compare with the virtual brick"),
-  "show-brick": ({ isBenchOpen }) => (isBenchOpen ? "Back to the input" : "Show the brick"),
 };
 
 /** Returns the text of each button. @param {Readonly<State>} known @returns {[id: string, text: string][]} */

@@ -148,12 +148,51 @@ def test_on_a_phone_nothing_is_covered(browser: Chrome, address: str) -> None:
         page = Page(browser, address)
         page.open(fragment(WRONG))
         page.wait(lambda: page.texts("#findings .error") and page.text("sentence"))
-        bar = "document.getElementById('show-brick').getBoundingClientRect()"
-        assert page.run(f"return {bar}.top >= document.getElementById('desk').getBoundingClientRect().bottom")
-        assert page.run(f"return Math.abs({bar}.bottom - innerHeight) < 12")
         assert not scrolls_sideways(browser)
         for name in ("bytes", "findings", "header", "tree"):
             assert page.run(f"return {name}.scrollWidth <= {name}.clientWidth"), name
+
+
+MOVE = """\
+UI_WRITE(LED, LED_RED)
+OUTPUT_SPEED(0, A, 50)
+OUTPUT_START(0, A)
+UI_DRAW(TEXT, 1, 10, 50, "go")
+UI_DRAW(UPDATE)
+"""
+EFFECT = ("display", "motors", "leds", "stop-motors")
+"""Where it is seen what a frame does."""
+
+
+def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> None:
+    page = Page(browser, address)
+    # A phone, a projector with 1280 x 720 pixels at 150 %, a small and a large window.
+    for width, height, is_phone in ((390, 844, True), (853, 480, False), (1000, 720, False), (1600, 1000, False)):
+        with emulated(browser, width, height, is_phone=is_phone):
+            page.open(fragment(MOVE))
+            page.wait(lambda: page.text("sentence") and page.text("verdict"))
+            if width >= 1000:
+                assert in_sight(page) >= {*EFFECT, "input", "sentence"}, width
+            page.click("send")
+            page.wait(lambda: page.text("leds") == "LED_RED" and "OUTPUT_START" in page.text("answer"))
+            assert in_sight(page) >= {*EFFECT, "answer", "sentence", "verdict"}, width
+            assert not scrolls_sideways(browser)
+            page.click("stop-motors")
+            page.wait(lambda: "OUTPUT_STOP" in page.text("answer"))
+    # It follows the window: with less room it is under the headline, with more beside the input again.
+    for width, home in ((390, "top"), (1400, "bench")):
+        with emulated(browser, width, 900):
+            page.wait(lambda home=home: page.run("return effect.parentElement.id") == home)
+
+
+def in_sight(page: Page) -> set[str]:
+    """The ids of what is in the window as a whole."""
+    script = """
+        return [...document.querySelectorAll('[id]')].filter((each) => {
+            const { top, bottom } = each.getBoundingClientRect();
+            return each.getClientRects().length && top >= 0 && bottom <= innerHeight;
+        }).map((each) => each.id)"""
+    return set(page.run(script))
 
 
 def test_at_twice_the_size_everything_fits(browser: Chrome, address: str) -> None:

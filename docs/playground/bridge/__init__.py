@@ -72,6 +72,8 @@ __all__ = [
 
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 
+_STOP = "OUTPUT_STOP(0, A+B+C+D, 1)"
+
 _folder = TemporaryDirectory()
 _brick: VirtualBrick | None = None
 
@@ -309,10 +311,14 @@ def watch(is_wanted: bool) -> str:
 
 
 def stop_motors() -> str:
-    """Stops all motors of the brick, without a question."""
-    assert _real is not None
-    _real.stop_motors()
-    return "null"
+    """Stops all motors without a question: of the real brick if one is connected, else of the virtual one."""
+    if _real is not None and _real.is_open:
+        _real.stop_motors()
+        return "null"
+    _virtual().stop()
+    stopping = Input()
+    list(stopping.type(_STOP))
+    return play(json.dumps(stopping.to_send()))
 
 
 def files(action: str, path: str, data: Any) -> str:

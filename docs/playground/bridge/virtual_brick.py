@@ -47,6 +47,10 @@ class VirtualBrick:
         """Starts a program. Returns an error message, or ""."""
         return "" if self._brick.start(image) is not None else "The brick refuses the program; see the findings."
 
+    def stop(self) -> None:
+        """Stops the program that it runs."""
+        self._brick.stop()
+
     def send(self, frame: bytes) -> str:
         """Sends a command. Returns an error message, or ""."""
         if len(frame) < frame_size(frame):

@@ -5,32 +5,34 @@ const LIGHT = [210, 217, 195], DARK = [30, 36, 30];
 const HOME = "/home/root/lms2012";
 const MOST_LINES = 1000;
 
-const BRICK = `
-<section class="front" aria-label="Brick">
+const FRONT = `
+<section class="front" aria-label="Virtual brick">
   <h2><span id="name">EV3</span> <small id="battery"></small></h2>
-  <canvas id="display" width="${WIDTH}" height="${HEIGHT}" role="img" aria-label="Display of the brick"></canvas>
-  <div id="pad" role="group" aria-label="Buttons of the brick">
-    <button data-button="back" aria-label="Back">&#8617;</button>
-    <button data-button="up" aria-label="Up">&#9650;</button>
-    <span></span>
-    <button data-button="left" aria-label="Left">&#9664;</button>
-    <button data-button="enter" aria-label="Enter">&#9632;</button>
-    <button data-button="right" aria-label="Right">&#9654;</button>
-    <span></span>
-    <button data-button="down" aria-label="Down">&#9660;</button>
-    <span></span>
+  <div class="face">
+    <canvas id="display" width="${WIDTH}" height="${HEIGHT}" role="img" aria-label="Display of the brick"></canvas>
+    <div id="pad" role="group" aria-label="Buttons of the brick">
+      <button data-button="back" aria-label="Back">&#8617;</button>
+      <button data-button="up" aria-label="Up">&#9650;</button>
+      <span></span>
+      <button data-button="left" aria-label="Left">&#9664;</button>
+      <button data-button="enter" aria-label="Enter">&#9632;</button>
+      <button data-button="right" aria-label="Right">&#9654;</button>
+      <span></span>
+      <button data-button="down" aria-label="Down">&#9660;</button>
+      <span></span>
+    </div>
+    <div id="motors" role="group" aria-label="Motors"></div>
   </div>
   <p>Light: <span id="leds"></span></p>
-  <p id="running" role="status" hidden>A program is running. <button id="stop">Stop it</button></p>
-  <p><label><input type="checkbox" id="sound"> Sound</label> <button id="save">Save the display</button></p>
-  <pre id="terminal" hidden></pre>
-</section>
-<section aria-label="Ports">
-  <h2>Motors</h2>
-  <div id="motors"></div>
   <p id="waiting" role="status"></p>
+  <p id="running" role="status" hidden>A program is running. <button id="stop">Stop it</button></p>
+  <pre id="terminal" hidden></pre>
+</section>`;
+const MORE = `
+<section aria-label="Sensors">
   <h2>Sensors</h2>
   <div id="sensors"></div>
+  <p><label><input type="checkbox" id="sound"> Sound</label> <button id="save">Save the display</button></p>
 </section>
 <section class="talk" aria-label="Dialogue">
   <h2>Dialogue</h2>
@@ -79,14 +81,17 @@ const bytesOf = (base64) => Uint8Array.from(atob(base64), (character) => charact
 /**
  * Shows a brick.
  *
- * @param {HTMLElement} place  where
+ * @param {HTMLElement} front  where its face is shown: display, buttons, light, motors
+ * @param {HTMLElement} more  where the rest is shown: sensors, dialogue, files; may be the same
  * @param {(action: object) => void} send  has the brick do something
  * @returns {{take: (message: object) => void, silence: () => void}}  takes what the brick says
  */
-export const showBrick = (place, send) => {
-  place.classList.add("brick");
-  place.innerHTML = BRICK;
-  const find = (id) => place.querySelector(`#${id}`);
+export const showBrick = (front, more, send) => {
+  for (const [place, shown] of [[front, FRONT], [more, MORE]]) {
+    place.classList.add("brick");
+    place.innerHTML += shown;
+  }
+  const find = (id) => document.getElementById(id);
   const show = {};
   let facts = null, folder = HOME;
 
@@ -130,7 +135,7 @@ export const showBrick = (place, send) => {
       find("pad").classList.toggle(word, words.includes(word));
     }
   };
-  const buttons = [...place.querySelectorAll("[data-button]")];
+  const buttons = [...front.querySelectorAll("[data-button]")];
   show.down = (names) => {
     for (const button of buttons) button.classList.toggle("down", names.includes(button.dataset.button));
   };
@@ -174,7 +179,7 @@ export const showBrick = (place, send) => {
         const wheel = make("div", "", "wheel");
         wheel.append(make("i"));
         const text = make("output");
-        box.append(make("b", motor.port), chooser(motor.port, true, motor.type), wheel, text);
+        box.append(make("strong", motor.port), chooser(motor.port, true, motor.type), wheel, text);
         if (shown) shown.box.replaceWith(box); else find("motors").append(box);
         shown = motors[motor.port] = { type: motor.type, box, wheel, text };
       }
@@ -214,7 +219,7 @@ export const showBrick = (place, send) => {
       controls.push(control);
       values.append(control.element);
     }
-    box.append(make("b", sensor.port), chooser(sensor.port, false, sensor.type), make("span", mode?.name ?? ""), values);
+    box.append(make("strong", sensor.port), chooser(sensor.port, false, sensor.type), make("span", mode?.name ?? ""), values);
     return { type: sensor.type, mode: sensor.mode, box, controls };
   };
 
@@ -286,7 +291,7 @@ export const showBrick = (place, send) => {
     const isAtEnd = box.scrollTop + box.clientHeight >= box.scrollHeight - 4;
     for (const talk of talks) {
       const line = make("li", "", talk.wrong ? "wrong" : "");
-      line.append(make("time", talk.time.toFixed(3)), make("b", talk.client), make("span", talk.text));
+      line.append(make("time", talk.time.toFixed(3)), make("strong", talk.client), make("span", talk.text));
       line.hidden = !isWanted(line);
       if (lines.has(talk.number)) lines.get(talk.number).replaceWith(line); else box.append(line);
       lines.set(talk.number, line);

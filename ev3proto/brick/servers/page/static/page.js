@@ -6,7 +6,8 @@ import { showBrick } from "./brick.js";
 history.replaceState(null, "", "/");
 
 const socket = new WebSocket(`ws://${location.host}/live`);
-const shown = showBrick(document.getElementById("brick"), (action) => {
+const place = document.getElementById("brick");
+const shown = showBrick(place, place, (action) => {
   if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(action));
 });
 socket.onmessage = (event) => shown.take(JSON.parse(event.data));

@@ -202,6 +202,7 @@ class _Search:
         self._frame, self._dialect = report.frame, report.dialect
         self._unread, self._unchecked = _MOST_READ, _MOST_CHECKED
         self._dangers = dangers_of(self._frame, self._dialect)
+        self._known: dict[bytes, tuple[float, float]] = {}
 
     def suggestions(self) -> tuple[Suggestion, ...]:
         """Returns the best candidates, if they are better than silence."""
@@ -229,8 +230,16 @@ class _Search:
             weight += _REFUSED
         if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
             return 0.0, weight
-        code = CommandCode(frame, self._dialect)
-        return code.rarity, max(weight, code.rest() - code.rarity)
+        rarity, rest = self._code_costs(frame)
+        return rarity, max(weight, rest - rarity)
+
+    def _code_costs(self, frame: bytes) -> tuple[float, float]:
+        """Returns the costs of a frame's operations themselves and of its whole code, computed once for each code."""
+        key = frame[HEADER_SIZE:]
+        if key not in self._known:
+            code = CommandCode(frame, self._dialect)
+            self._known[key] = code.rarity, code.rest()
+        return self._known[key]
 
     def _check(self, frame: bytes) -> Report:
         self._unchecked -= len(frame)
@@ -320,7 +329,7 @@ class _Search:
     def _read(self, frame: bytes) -> float:
         """Returns the cost of a frame's code."""
         is_code = len(frame) > COMMAND_HEADER_SIZE and frame[TYPE_AT] in DIRECT
-        return CommandCode(frame, self._dialect).rest() if is_code else 0.0
+        return self._code_costs(frame)[1] if is_code else 0.0
 
     def _with_other_length(self, frame: bytes) -> Iterator[_Candidate]:
         stated, size = stated_size(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD

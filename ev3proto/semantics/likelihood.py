@@ -131,24 +131,25 @@ class CommandCode:
     def __init__(self, data: bytes, dialect: str) -> None:
         self.data = data
         self.set = instruction_set(dialect)
-        self.memory = _Memory(*read_memory(data))
-        self._rest: dict[int, float] = {len(data): 0.0}
-        self.first = self._chain()
+        parsed = self._chain()
         written = frozenset(
-            (one.form.kind, one.value)
-            for _, reading in self.first
-            for one in reading.arguments
-            if one.is_variable and one.parameter.is_output
+            (argument.form.kind, argument.value)
+            for _, one in parsed
+            for argument in one.arguments
+            if argument.is_variable and argument.parameter.is_output
         )
-        if written:
-            self.memory = self.memory._replace(written=written)
-            self.first = self._chain()
+        self.memory = _Memory(*read_memory(data), written)
+        self.first = [(at, self._priced(one, len(data))) for at, one in parsed]
+        self._rest: dict[int, float] = {len(data): 0.0}
+        total = 0.0
+        for at, reading in reversed(self.first):
+            total = self._rest[at] = total + reading.cost
 
     def _chain(self) -> list[tuple[int, Reading]]:
         found: list[tuple[int, Reading]] = []
         at: int = COMMAND_HEADER_SIZE
         while at < len(self.data):
-            found.append((at, self.read(self.data, at)))
+            found.append((at, self._parsed(self.data, at)))
             if found[-1][1].is_fault:
                 break
             at = found[-1][1].end
@@ -161,6 +162,10 @@ class CommandCode:
 
     def read(self, data: bytes, at: int) -> Reading:
         """Reads the operation at an offset of some bytes."""
+        return self._priced(self._parsed(data, at), len(data))
+
+    def _parsed(self, data: bytes, at: int) -> Reading:
+        """Returns the operation at an offset of some bytes, without its cost."""
         found: list[Argument] = []
         end, size = at, len(data)
         schema = self.set.opcodes[data[at]]
@@ -174,10 +179,18 @@ class CommandCode:
                 end = read_arguments(schema.elements(found, size - end), data, end, size, found)
         except DecodeError:
             stop = found[-1].offset + found[-1].length if found else end
-            return Reading(stop, FAULT + (self._cost(schema, found) if schema else 0.0), schema, found, True)
-        if Effect.ENDS_CODE in schema.declaration.effects:
-            return Reading(end, 0.5 if end == size else FAULT, schema, found)
-        return Reading(end, self._cost(schema, found), schema, found)
+            return Reading(stop, 0.0, schema, found, True)
+        return Reading(end, 0.0, schema, found)
+
+    def _priced(self, one: Reading, size: int) -> Reading:
+        """Returns a reading with its cost in code that ends at an offset."""
+        if one.is_fault or one.schema is None:
+            cost = FAULT + (self._cost(one.schema, one.arguments) if one.schema else 0.0)
+        elif Effect.ENDS_CODE in one.schema.declaration.effects:
+            cost = 0.5 if one.end == size else FAULT
+        else:
+            cost = self._cost(one.schema, one.arguments)
+        return Reading(one.end, cost, one.schema, one.arguments, one.is_fault)
 
     def _cost(self, schema: OperationSchema, found: list[Argument]) -> float:
         facts, memory = operation_facts(schema), self.memory

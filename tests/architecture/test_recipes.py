@@ -13,6 +13,9 @@ from pathlib import Path
 import pytest
 from support.cases import each
 from support.invented import ROOT, Change, copied, files_of, is_in, run_in, titles
+from support.messages import tone
+from support.packets import RAW_IP, Connection
+from support.packets import Capture as Packets
 from support.wireshark import Tshark
 
 from ev3proto.generate.captures import write_pcapng
@@ -189,6 +192,26 @@ RECIPES: dict[str, tuple[Change, ...]] = {
         Change("ev3proto/capture/formats/__init__.py", "for each in (pcap, ", "for each in (lucky, pcap, "),
         Change("ev3proto/capture/formats/__init__.py", "import btsnoop, ", "import btsnoop, lucky, "),
     ),
+    "A rule of claims": (
+        Change("ev3proto/tables/claims.py", "\nNXT_WRITE, ", "\nNEVER_COUNTED = 777\n\nNXT_WRITE, "),
+        Change(
+            "ev3proto/capture/evidence.py",
+            "    if not isinstance(message, DirectCommand):\n        return False\n    if _fits",
+            "    if not isinstance(message, DirectCommand) or message.counter == NEVER_COUNTED:\n"
+            "        return False\n    if _fits",
+        ),
+        Change("ev3proto/capture/evidence.py", "import NEVER_SENT, ", "import NEVER_COUNTED, NEVER_SENT, "),
+        Change(
+            "ev3proto/generate/dissector/tables.py",
+            '        "most_held": ',
+            '        "never_counted": claims.NEVER_COUNTED,\n        "most_held": ',
+        ),
+        Change(
+            "ev3proto/generate/dissector/runtime/claims.lua",
+            "            if stop < COMMAND_HEADER_SIZE then",
+            "            if stop < COMMAND_HEADER_SIZE or message.counter == CLAIMS.never_counted then",
+        ),
+    ),
     "A field of the dissector": (
         Change(
             "ev3proto/generate/dissector/fields.py",
@@ -214,10 +237,10 @@ RECIPES: dict[str, tuple[Change, ...]] = {
         ),
         Change(
             "ev3proto/cli/stats.py",
-            "        if peer.orphans:\n",
-            "        if peer.lucky:\n"
-            '            self._tables.heading(f"Lucky counters: {peer.lucky}")\n'
-            "        if peer.orphans:\n",
+            "        if whole.orphans:\n",
+            "        if whole.lucky:\n"
+            '            self._tables.heading(f"Lucky counters: {whole.lucky}")\n'
+            "        if whole.orphans:\n",
         ),
     ),
     "An export": (
@@ -424,6 +447,16 @@ def test_a_capture_format_is_read(copy: Path, capture: Path) -> None:
     capture.write_bytes(b"LUCKY" + capture.read_bytes())
     assert "TIMER_LAP" in _run(copy, "decode", str(capture))
     assert "lucky" in run_in(copy, "-c", "from ev3proto.capture.formats import LISTED; print(LISTED)")
+
+
+def test_both_readers_of_captures_follow_a_rule_of_claims(copy: Path, tmp_path: Path) -> None:
+    packets, path = Packets(RAW_IP), tmp_path / "claims.pcap"
+    for port, counter in ((10_001, 777), (10_002, 778)):
+        Connection(packets, port).send(tone(counter))
+    path.write_bytes(packets.data())
+    assert [json.loads(line)["counter"] for line in _run(copy, "decode", "--json", str(path)).splitlines()] == [778]
+    with Tshark.from_setting(copy / "dissector" / "ev3.lua") as tshark:
+        assert tshark.run(path, "-Y", "ev3", "-T", "fields", "-e", "ev3.msg_num").split() == ["778"]
 
 
 def test_a_statistic_is_in_both_outputs(copy: Path, capture: Path) -> None:

@@ -2578,7 +2578,8 @@ local CARRIERS = { usb_products = { 0x06940005, 0x06940006 }, rfcomm_channel = 1
 -- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.
 local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()", "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()" },
     request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
-    starts = { [71] = true, [65] = true } }
+    starts = { [71] = true, [65] = true },
+    missing = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores all commands on it" }
 
 -- Names for filters --------------------------------------------------------------------------------------------------
 --
@@ -2681,6 +2682,7 @@ local experts = {
     error_reply = ProtoExpert.new("ev3.expert.error_reply", "The brick refused the command, or it failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
     failed = ProtoExpert.new("ev3.expert.failed", "The command failed", expert.group.RESPONSE_CODE, expert.severity.WARN),
     orphan = ProtoExpert.new("ev3.expert.orphan", "The command that this reply answers was not seen", expert.group.SEQUENCE, expert.severity.NOTE),
+    locked = ProtoExpert.new("ev3.expert.locked", "A connection without the unlock text", expert.group.SEQUENCE, expert.severity.WARN),
     unanswered = ProtoExpert.new("ev3.expert.unanswered", "No reply to this command was seen", expert.group.SEQUENCE, expert.severity.WARN),
     waiting = ProtoExpert.new("ev3.expert.waiting", "No reply to this command was seen so far", expert.group.SEQUENCE, expert.severity.NOTE),
     incomplete_file = ProtoExpert.new("ev3.expert.incomplete_file", "A file with another size than announced", expert.group.SEQUENCE, expert.severity.WARN),
@@ -3559,8 +3561,9 @@ do
     -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
     -- type. `of_packet` has the number
     -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
-    -- commands waited; `transfers`, by place, the state of a message's file.
-    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
+    -- commands waited; `transfers`, by place, the state of a message's file; `locks`, by place of a command, the lock of
+    -- its connection.
+    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
     -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
     -- packet that of its conversation, if it is not the first.
@@ -3568,7 +3571,7 @@ do
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
-        transfers = {}
+        transfers, locks = {}, {}
         count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
     end
 
@@ -3632,6 +3635,23 @@ do
     function dialogues.renew(conversation)
         conversation.waiting, conversation.begun, conversation.open = {}, {}, {}
         conversation.number, conversation.longest = nil, nil
+    end
+
+    -- Tells whether a message is on a connection that begins without the unlock text, and has no reply. Whether its
+    -- beginning was captured is known only where Wireshark shows all fields of a packet in a tree, and is then kept: to
+    -- request the field would slow down all captures.
+    function dialogues.is_locked(place)
+        local lock = locks[place]
+        if not lock or lock.is_open then return false end
+        for _, info in ipairs(lock.is_begun == nil and { all_field_infos() } or {}) do
+            if info.name == "tcp.completeness" then lock.is_begun = info.value % 2 == 1 end
+        end
+        return lock.is_begun
+    end
+
+    -- Ends the lock of a conversation, if it has one: the text or a reply was seen.
+    function dialogues.unlock(conversation)
+        if conversation.lock then conversation.lock.is_open, conversation.lock = true, nil end
     end
 
     -- Returns the number of the conversation of a message. It gets the next one with its first message.
@@ -3777,7 +3797,9 @@ do
         conversation.newest = now
         if not conversation.number then newest_number, conversation.number = newest_number + 1, newest_number + 1 end
         if conversation.number > 1 then numbers[storage.number_of(place)] = conversation.number end
+        locks[place] = conversation.lock
         if not type or message.is_overwritten then return end
+        if not type.is_command then dialogues.unlock(conversation) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then
             if type.wants_reply then remember(conversation, place, message, now) end
@@ -4537,6 +4559,7 @@ do
     local function add_links(message, view, is_new, reply, is_given_up)
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
+        if item and dialogues.is_locked(place) then complain(target, "locked", UNLOCK.missing) end
         if type.wants_reply then
             if is_given_up then
                 complain(target, "unanswered", "no reply to this command was seen")
@@ -5390,6 +5413,7 @@ do
                 if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
                     dialogues.renew(conversation)
                 end
+                if said and conversation then dialogues.unlock(conversation) end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at
@@ -5892,6 +5916,7 @@ do
             local back = find_direction(other * 0x10000 + port, to, from)
             known = { from = from, to = to, older = connections[ends], waits = 0, starts = {} }
             known.conversation = back and back.conversation or dialogues.conversation_of(known)
+            if not back then known.conversation.lock = {} end
             connections[ends] = known
         end
         return known.conversation, known
@@ -6333,4 +6358,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 69850bbbcd59262b
+-- Checksum of the lines above, by which a changed file is recognised: e154a928a38b7303

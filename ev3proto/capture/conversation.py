@@ -12,6 +12,7 @@ from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import HEADER_SIZE, unpack_header
 from ev3proto.semantics.pairing import MOST_LABELS, Pairing, pairing_key
+from ev3proto.tables.discovery import NOT_UNLOCKED
 from ev3proto.tables.frame import MessageType
 
 MOST_PENDING = 4096
@@ -49,7 +50,8 @@ def _is_failure(record: Record) -> bool:
 class Conversation:
     """A conversation: pairs replies with commands by their headers, so that messages are parsed only on request.
 
-    number  as `Record.connection`, 0 before the first record; it may be set to that of an earlier conversation
+    number     as `Record.connection`, 0 before the first record; it may be set to that of an earlier conversation
+    is_locked  its beginning was captured, so far without the unlock text and without a reply
     """
 
     def __init__(
@@ -62,6 +64,7 @@ class Conversation:
     ) -> None:
         """Takes the numbers of conversations that are not given yet, which it shares with the others of its file."""
         self.number = 0
+        self.is_locked = False
         self._numbers = count(1) if numbers is None else numbers
         self._schema = schema
         self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of, is_ordered=is_ordered)
@@ -79,9 +82,12 @@ class Conversation:
         known = _TYPES.get(unpack_header(frame)[2]) if len(frame) >= HEADER_SIZE else None
         is_command, wants_reply, _, is_system = known or _UNKNOWN
         if known is not None and not is_command:
+            self.is_locked = False
             self._pair(record)
         elif wants_reply:
             self._pairing.remember(*pairing_key(frame), record, time_ns if route.is_timed else None, route.label)
+        if self.is_locked:
+            record.note = NOT_UNLOCKED
         record.connection = self._number_of(record, is_command=is_command)
         if is_system:
             self._follow_transfer(record)

@@ -398,7 +398,7 @@ def test_a_tshark_that_fails(imitation: Callable[..., str], reading: str, said: 
 def test_what_came_before_tshark_died_is_given(imitation: Callable[..., str]) -> None:
     row = (
         '{"timestamp":"1","layers":{"frame_number":["3"],"frame_time_epoch":["1767261600.000000123"],'
-        '"frame_cap_len":["1088"],"frame_protocols":["usb:ev3"],"ev3_brick":["1.7"],'
+        '"frame_cap_len":["1088"],"frame_protocols":["usb:ev3"],"ev3_brick":["1.7"],"ev3_connection":["1"],'
         f'"usb_endpoint_address_direction":["0"],"ev3_bytes":["{VOLTAGE.hex()}"]}}}}'
     )
     index = '{"index":{"_index":"packets"}}'

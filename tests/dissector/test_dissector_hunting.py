@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 
-from support.messages import voltage, volts
+from support.messages import tone, voltage, volts
 from support.packets import RAW_IP, SYN, Capture, Connection, segment
 from support.wireshark import Tshark
 
@@ -167,6 +167,29 @@ def test_conversations_have_the_numbers_of_records(tshark: Tshark) -> None:
         fields = ("-T", "fields", "-e", "frame.number", "-e", "ev3.connection", "-Y", "ev3.connection")
         lines = [line.split() for line in tshark.run(path, *words, *fields).splitlines()]
         assert {int(number): int(connection) for number, connection in lines} == records
+
+
+def test_commands_on_a_connection_without_the_unlock_text_say_so(tshark: Tshark) -> None:
+    """If its beginning is there, and the brick answers nothing; in `decode` by the same sentence."""
+    said = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores all commands on it"
+    capture = Capture(RAW_IP)
+    locked, unlocked, begun_before, answered = (Connection(capture, port) for port in range(50_001, 50_005))
+    for stream in (locked, unlocked, answered):
+        capture.add(segment(True, 0, flags=SYN, port=stream.ports[0]))
+    unlocked.send(UNLOCK)
+    places = [locked.send(tone(1)), locked.send(voltage(2))]
+    first = answered.send(voltage(1))
+    answered.receive(volts(1))
+    for stream in (unlocked, begun_before, answered):
+        stream.send(tone(2))
+    places.append(locked.send(tone(3)))
+    path = tshark.place(capture.data(), "hunting.pcap")
+    found = tshark.run(path, "-2", "-T", "fields", "-e", "frame.number", "-e", "_ws.expert.message").splitlines()
+    assert [int(line.split("\t")[0]) for line in found if said in line] == places
+    # One pass does not know that the reply is still to come.
+    notes = {each.number: each.note for each in ev3proto.read(path) if isinstance(each, ev3proto.Record)}
+    assert [number for number, note in notes.items() if note] == sorted((*places, first))
+    assert {notes[number] for number in places} == {said}
 
 
 def test_ports_have_a_bit_each_and_no_number_below_zero_is_a_large_one(tshark: Tshark) -> None:

@@ -100,7 +100,8 @@ class Stream:
         return self._with_missing(events, missing) if missing > 0 else events
 
     def leave_hole(self, missing: int) -> list[Event]:
-        """Reports missing bytes at this place; 0 if their number is unknown."""
+        """Reports missing bytes at this place; 0 if their number is unknown. They may be the unlock text."""
+        self._conversation.is_locked = False
         events = self._events(self.cutter.leave_hole(missing))
         self.times.clear()
         return self._with_missing(events, missing)
@@ -140,6 +141,7 @@ class Stream:
                 events.append(Skipped(data, 0, reason, self.packet.number, self.packet.time_ns, route))
             else:
                 account.texts += size
+                self._conversation.is_locked = False
                 if kind is PartKind.UNLOCK:
                     events.append(Announcement(TextKind.UNLOCK, data, Unlock.parse(data), numbers, time_ns, route))
                 elif kind is PartKind.ACCEPT:

@@ -192,6 +192,7 @@ EXPERTS = (
     Expert("error_reply", "The brick refused the command, or it failed", "RESPONSE_CODE", "WARN"),
     Expert("failed", "The command failed", "RESPONSE_CODE", "WARN"),
     Expert("orphan", "The command that this reply answers was not seen", "SEQUENCE", "NOTE"),
+    Expert("locked", "A connection without the unlock text", "SEQUENCE", "WARN"),
     Expert("unanswered", "No reply to this command was seen", "SEQUENCE", "WARN"),
     Expert("waiting", "No reply to this command was seen so far", "SEQUENCE", "NOTE"),
     Expert("incomplete_file", "A file with another size than announced", "SEQUENCE", "WARN"),

@@ -468,6 +468,7 @@ def _unlock() -> Iterator[str]:
         "endings": discovery.UNLOCK_ENDINGS,
         "answer": discovery.ACCEPT.decode("ascii"),
         "starts": Table(named=first),
+        "missing": discovery.NOT_UNLOCKED,
     }
     yield "-- The text that unlocks the brick over WiFi, and its answer. By their lengths, frames start differently.\n"
     yield _assign("UNLOCK", Table(named=texts))

@@ -238,7 +238,9 @@ class Connections:
             if not is_answer:
                 # The new connection has no replies to commands of the old one.
                 half.connection.conversation = self._context.conversation()
-        return self._open(packet, segment, start, ended)
+        begun = self._open(packet, segment, start, ended)
+        begun.connection.conversation.is_locked |= not is_answer
+        return begun
 
     def _taken(self, half: _Half, sequence: int, piece: Piece, packet: Packet) -> list[Event]:
         """Returns the events that the data of a segment complete."""

@@ -21,8 +21,9 @@ do
     -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
     -- type. `of_packet` has the number
     -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
-    -- commands waited; `transfers`, by place, the state of a message's file.
-    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, count
+    -- commands waited; `transfers`, by place, the state of a message's file; `locks`, by place of a command, the lock of
+    -- its connection.
+    local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
     -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
     -- packet that of its conversation, if it is not the first.
@@ -30,7 +31,7 @@ do
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
-        transfers = {}
+        transfers, locks = {}, {}
         count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
     end
 
@@ -94,6 +95,23 @@ do
     function dialogues.renew(conversation)
         conversation.waiting, conversation.begun, conversation.open = {}, {}, {}
         conversation.number, conversation.longest = nil, nil
+    end
+
+    -- Tells whether a message is on a connection that begins without the unlock text, and has no reply. Whether its
+    -- beginning was captured is known only where Wireshark shows all fields of a packet in a tree, and is then kept: to
+    -- request the field would slow down all captures.
+    function dialogues.is_locked(place)
+        local lock = locks[place]
+        if not lock or lock.is_open then return false end
+        for _, info in ipairs(lock.is_begun == nil and { all_field_infos() } or {}) do
+            if info.name == "tcp.completeness" then lock.is_begun = info.value % 2 == 1 end
+        end
+        return lock.is_begun
+    end
+
+    -- Ends the lock of a conversation, if it has one: the text or a reply was seen.
+    function dialogues.unlock(conversation)
+        if conversation.lock then conversation.lock.is_open, conversation.lock = true, nil end
     end
 
     -- Returns the number of the conversation of a message. It gets the next one with its first message.
@@ -239,7 +257,9 @@ do
         conversation.newest = now
         if not conversation.number then newest_number, conversation.number = newest_number + 1, newest_number + 1 end
         if conversation.number > 1 then numbers[storage.number_of(place)] = conversation.number end
+        locks[place] = conversation.lock
         if not type or message.is_overwritten then return end
+        if not type.is_command then dialogues.unlock(conversation) end
         if type.is_command and not type.wants_reply and not is_on_file then return end
         if type.is_command then
             if type.wants_reply then remember(conversation, place, message, now) end

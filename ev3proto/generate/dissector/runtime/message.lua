@@ -308,6 +308,7 @@ do
     local function add_links(message, view, is_new, reply, is_given_up)
         local type, item, target, place = message.type, view.item, view.target, view.place
         if not type or message.is_overwritten then return end
+        if item and dialogues.is_locked(place) then complain(target, "locked", UNLOCK.missing) end
         if type.wants_reply then
             if is_given_up then
                 complain(target, "unanswered", "no reply to this command was seen")

@@ -198,6 +198,7 @@ do
                 if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
                     dialogues.renew(conversation)
                 end
+                if said and conversation then dialogues.unlock(conversation) end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
             local polled = step ~= "lost" and after_polls(text, at) or at

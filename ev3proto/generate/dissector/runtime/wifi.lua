@@ -48,6 +48,7 @@ do
             local back = find_direction(other * 0x10000 + port, to, from)
             known = { from = from, to = to, older = connections[ends], waits = 0, starts = {} }
             known.conversation = back and back.conversation or dialogues.conversation_of(known)
+            if not back then known.conversation.lock = {} end
             connections[ends] = known
         end
         return known.conversation, known

@@ -2579,7 +2579,7 @@ local CARRIERS = { usb_products = { 0x06940005, 0x06940006 }, rfcomm_channel = 1
 local UNLOCK = { patterns = { "^GET /target%?sn=([%w_:]*) ?VMTP1%.0(\r?\n)Protocol: ?EV3()", "^GET /target%?sn=([%w_:]*) ?(\r?\n)Protocol: ?EV3()" },
     request = "GET /target?sn=", most_bytes = 128, endings = 2, answer = "Accept:EV340\r\n\r\n",
     starts = { [71] = true, [65] = true },
-    missing = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores all commands on it" }
+    missing = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores its commands" }
 
 -- Names for filters --------------------------------------------------------------------------------------------------
 --
@@ -6358,4 +6358,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: e154a928a38b7303
+-- Checksum of the lines above, by which a changed file is recognised: 159cb641455341fd

@@ -27,7 +27,7 @@ MOST_UNLOCK = 128
 UNLOCK_ENDINGS = 2
 """Maximum number of line ends after the second line: none, one, or one and an empty line."""
 
-NOT_UNLOCKED = f"the connection begins without the unlock text ({UNLOCK_REQUEST}...): a brick ignores all commands on it"
+NOT_UNLOCKED = f"the connection begins without the unlock text ({UNLOCK_REQUEST}...): a brick ignores its commands"
 """What is said of a command on a connection whose beginning is known, without that text and without any reply."""
 
 ACCEPT = b"Accept:EV340\r\n\r\n"

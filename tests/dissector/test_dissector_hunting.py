@@ -171,7 +171,7 @@ def test_conversations_have_the_numbers_of_records(tshark: Tshark) -> None:
 
 def test_commands_on_a_connection_without_the_unlock_text_say_so(tshark: Tshark) -> None:
     """If its beginning is there, and the brick answers nothing; in `decode` by the same sentence."""
-    said = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores all commands on it"
+    said = "the connection begins without the unlock text (GET /target?sn=...): a brick ignores its commands"
     capture = Capture(RAW_IP)
     locked, unlocked, begun_before, answered = (Connection(capture, port) for port in range(50_001, 50_005))
     for stream in (locked, unlocked, answered):

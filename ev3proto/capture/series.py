@@ -24,6 +24,8 @@ _CELL = 160
 """Number of characters of texts and names that take the memory of a cell."""
 
 Cell: TypeAlias = float | str
+Column: TypeAlias = tuple[str, Value | None, Cell]
+"""The name of a column, the value of the reply that it is in, the cell."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +66,21 @@ class Series:
         self.size += other.size
         self.omitted += other.omitted
 
+    def cells_of(self, columns: Iterable[Column], latency: float | None) -> dict[str, Cell]:
+        """Returns the cells of a row to be added, and counts them; new columns are added."""
+        cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
+        for name, value, cell in columns:
+            column = sys.intern(name)
+            if column not in self.units:
+                self.units[column] = None if value is None else value.unit
+                if value is not None and value.quantity:
+                    self.quantities[column] = value.quantity
+                self.size += len(column) // _CELL
+            cells[column] = cell
+            self.size += len(cell) // _CELL if isinstance(cell, str) else 0
+        self.size += 1 + len(cells)
+        return cells
+
     def narrowed(self, most: int) -> Series:
         """Returns the columns with the most values, in their order, and the rows that have some of them.
 
@@ -84,27 +101,14 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
     """Returns the values of all replies and of messages to mailboxes, without NaN; `most` limits rows and values."""
     found = Series({LATENCY: "s"})
     for event in events:
-        if not isinstance(event, Record):
-            continue
-        columns = list(_columns(event))
-        if event.request is None and not columns:
+        columns = list(_columns(event)) if isinstance(event, Record) else []
+        if not isinstance(event, Record) or (event.request is None and not columns):
             continue
         if found.size >= most:
             found.omitted += 1
             continue
-        latency = event.latency
-        cells: dict[str, Cell] = {} if latency is None else {LATENCY: latency}
-        for name, value, cell in columns:
-            column = sys.intern(name)
-            if column not in found.units:
-                found.units[column] = None if value is None else value.unit
-                if value is not None and value.quantity:
-                    found.quantities[column] = value.quantity
-                found.size += len(column) // _CELL
-            cells[column] = cell
-            found.size += len(cell) // _CELL if isinstance(cell, str) else 0
-        found.size += 1 + len(cells)
         found.unsure += event.note == UNSURE
+        cells = found.cells_of(columns, event.latency)
         found.rows.append(
             Row(event.time_ns, event.number, event.label or event.peer, cells, event.route.is_timed, file)
         )
@@ -113,8 +117,8 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
     return found
 
 
-def _columns(event: Record) -> Iterator[tuple[str, Value | None, Cell]]:
-    """Yields the values of a message: the name of the column, the value of the reply that it is in, the cell."""
+def _columns(event: Record) -> Iterator[Column]:
+    """Yields the values of a message."""
     if event.request is not None:
         for value, name in _named(event):
             for suffix, cell in _cells(value):

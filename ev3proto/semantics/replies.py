@@ -13,7 +13,7 @@ from ev3proto.semantics.facts import UNTYPED_SIZE
 from ev3proto.semantics.footprint import Footprint, results
 from ev3proto.semantics.readings import datasets_of
 from ev3proto.tables import mailboxes
-from ev3proto.tables.declaration import Type
+from ev3proto.tables.declaration import Enumeration, Type
 from ev3proto.tables.devices import Dataset
 from ev3proto.tables.encoding import RANGES, STRING_CODING
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind
@@ -143,54 +143,49 @@ def reply_values(command: DirectCommand, reply: DirectReply) -> Iterator[Value]:
 
 def _read(found: Footprint, outputs: list[Footprint], memory: bytes, dataset: Dataset | None) -> Value | None:
     """Returns the value of one output, None if the memory does not hold it."""
-    argument, start = found.argument, found.start
-    parameter = argument.parameter
-    kind = Type.HANDLE if argument.form.handle else parameter.type
-    symbol: str | list[str | None] | None = None
-    value: ValueType
-    if kind is Type.STRING:
-        if start >= len(memory):
-            return None
-        piece = memory[start : _end(found, memory)].split(b"\0", 1)[0]
-        value, length = piece.decode(STRING_CODING), len(piece)
-    elif kind is Type.ARRAY_TYPED:
-        kind = _untyped(outputs, start, len(memory))
-        length = kind.size
-        if start + length > len(memory):
-            return None
-        (value,) = _LAYOUTS[kind].unpack_from(memory, start)
-    elif kind not in _LAYOUTS:
+    parameter, is_handle = found.argument.parameter, found.argument.form.handle
+    kind = Type.HANDLE if is_handle else parameter.type
+    is_list = parameter.length is not None and not is_handle
+    if kind is Type.ARRAY_TYPED:
+        kind, is_list = _untyped(outputs, found.start, len(memory)), False
+    value, length = _contents(found, kind, is_list, memory)
+    if value is None:
         return None
-    elif parameter.length is None or argument.form.handle:
-        layout = _LAYOUTS[kind]
-        length = layout.size
-        if start + length > len(memory):
-            return None
-        (value,) = layout.unpack_from(memory, start)
-        if parameter.enum is not None and not argument.form.handle:
-            symbol = parameter.enum.name_of(value)
-    else:
-        length = (_end(found, memory) - start) // kind.size * kind.size
-        if length < 1:
-            return None
-        numbers = [number for (number,) in _LAYOUTS[kind].iter_unpack(memory[start : start + length])]
-        value = numbers
-        symbol = [parameter.enum.name_of(number) for number in numbers] if parameter.enum else None
-    unit, quantity = None if argument.form.handle else parameter.unit, None
+    unit, quantity = (None, None) if is_handle else (parameter.unit, None)
     if dataset is not None:
         unit, quantity = dataset.unit or None, dataset.name
     return Value(
         found.operation.name,
         found.operation.command,
-        argument.name,
+        found.argument.name,
         value,
         unit,
         kind.label,
-        symbol,
-        HEADER_SIZE + start,
+        None if is_handle or parameter.enum is None else _symbol(parameter.enum, value),
+        HEADER_SIZE + found.start,
         length,
         quantity,
     )
+
+
+def _contents(found: Footprint, kind: Type, is_list: bool, memory: bytes) -> tuple[ValueType | None, int]:
+    """Returns what the memory holds of an output, and its size; None if that is nothing, or not all of a number."""
+    start, layout = found.start, _LAYOUTS.get(kind)
+    if kind is Type.STRING:
+        piece = memory[start : _end(found, memory)].split(b"\0", 1)[0]
+        return (piece.decode(STRING_CODING) if start < len(memory) else None), len(piece)
+    if layout is None:
+        return None, 0
+    count = (_end(found, memory) - start) // kind.size if is_list else 1
+    length = count * kind.size
+    if length < 1 or start + length > len(memory):
+        return None, 0
+    numbers = [number for (number,) in layout.iter_unpack(memory[start : start + length])]
+    return numbers if is_list else numbers[0], length
+
+
+def _symbol(enum: Enumeration, value: ValueType) -> str | list[str | None] | None:
+    return list(map(enum.name_of, value)) if isinstance(value, list) else enum.name_of(value)
 
 
 def _end(found: Footprint, memory: bytes) -> int:

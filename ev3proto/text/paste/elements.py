@@ -229,10 +229,13 @@ def _plain_digits(line: str, number: int) -> list[TextElement]:
 # Unknown elements: expressions and texts in the places of others
 
 _PART = r"""(?:[^,()\[\]{}"'`;=\\#]|\([^()]*\))"""
-_SLOT = re.compile(rf"(?:^\s*|[\[{{(,]\s*+|\]\s?=\s?)((?!\s|$|[/#])(?!(?<=\[)\w+\]){_PART}+?)(?=\s*(?:[,\]}});]|$))")
+_CAST = rf"\({_TYPE}\s?\*?\)"
+_SLOT = re.compile(
+    rf"(?:^\s*|(?<!=\sappend)[\[{{(,]\s*+|\]\s?=\s?|<<\s)(?:{_CAST}\s*+)?"
+    rf"((?!\s|$|[/#]|{_CAST})(?!(?<=\[)\w+\]|(?<=\(){_TYPE}\s?\*?\)){_PART}+?)(?=\s*(?:[,\]}});]|$))"
+)
 """What is between two commas or brackets; a name alone in square brackets is a type: `let b: [UInt8] = [0x0f]`."""
-_CAST = re.compile(rf"\({_TYPE}\s?\*?\)")
-_OPENING = re.compile(r"[\[{(]")
+_OPENING = re.compile(r"[\[{(]|<<\s")
 _FIRST = re.compile(r"\s*(?:0[xX])?[0-9a-fA-F]+\s?,")
 _IDENTIFIER = re.compile(r"(?<!\w)(?!0[xX])[A-Za-z_]\w*")
 _WORDS = re.compile(r"[\w)]\s+\w")
@@ -240,27 +243,26 @@ _OPERATOR = re.compile(r"[+*/&|^%<>-]")
 _TEXT_IN_CALL = re.compile(r"(?<=[\w\])]\()\"(?=[^\"\\]+\"\s?\))")
 
 
-def widened(line: str, number: int, *, is_inside: bool) -> list[TextElement] | None:
-    """Returns the elements with expressions and texts among them: `{size, 0}`, `m[0] = size;`, `print("abc")`.
+def widened(line: str, number: int, *, is_inside: bool) -> tuple[list[TextElement], str] | None:
+    """Returns what `elements_of` does, with expressions and texts among it: `{size, 0}`, `m[0] = size;`, `print("abc")`.
 
     None if there are none but those of `elements_of`. `is_inside` tells that the line begins inside a list.
     """
-    line = _CAST.sub(lambda cast: " " * len(cast[0]), line)
     opening = _FIRST.match(line) or _OPENING.search(line)
     start = 0 if is_inside else len(line) if opening is None else opening.start()
     if _IDENTIFIER.search(line, start) is None:
         return None
-    parts, at, count, slots = [line[:start]], start, 0, 0
+    parts, at = [line[:start]], start
     for found in _SLOT.finditer(line, start):
         begin, end = found.span(1)
-        slots += 1
-        is_known = known_name(found[1]) is not None
-        if is_known or _is_expression(found[1]):
+        if known_name(found[1]) is not None or _is_expression(found[1]):
             parts += (line[at:begin], EXPRESSION * (end - begin))
-            at, count = end, count + (not is_known)
-    # A list of names has few bytes.
-    wide = _TEXT_IN_CALL.sub(TEXT, "".join([*parts, line[at:]]) if count * 2 <= max(slots, 2) else line)
-    return None if wide == line else [_named(one, line) for one in elements_of(wide, number)[0]]
+            at = end
+    wide = _TEXT_IN_CALL.sub(TEXT, "".join([*parts, line[at:]]))
+    if wide == line:
+        return None
+    found, after = elements_of(wide, number)
+    return [_named(one, line) for one in found], after
 
 
 def _named(element: TextElement, line: str) -> TextElement:
@@ -273,7 +275,9 @@ def _is_expression(text: str) -> bool:
     if _IDENTIFIER.search(text) is None or _WORDS.search(text):
         return False
     known = elements_of(text)[0]
-    return len(known) != 1 or _OPERATOR.search(text[: known[0].start] + text[known[0].end :]) is not None
+    if len(known) != 1 or (known[0].kind == "marked" and BYTES["hex"][known[0].text] is None):
+        return True  # a name that nobody knows is one, too
+    return _OPERATOR.search(text[: known[0].start] + text[known[0].end :]) is not None
 
 
 # Bytes
@@ -448,13 +452,16 @@ _MACRO_CALL = re.compile(r"(?:\w+\.)?(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^(
 
 
 _NAME = re.compile(
-    r"(?P<owner>(?:\w+(?:\.|::))*)(?P<name>[A-Za-z]\w+?)(?:\.(?:\w+\(\)|rawValue|value|code|byte)|\sas\s\w+)?"
+    rf"(?P<cast>(?:static_cast<)?{_TYPE}>?\()?(?P<owner>(?:\w+(?:\.|::))*?)(?P<name>[A-Za-z]\w+?)"
+    r"(?:\.(?:\w+\(\)|rawValue|value|code|byte)|\sas\s\w+)*(?(cast)\))"
 )
-"""A name of another program, of an enumeration perhaps: `Op.OutputSpeed`, `Op::OutputSpeed as u8`, `X.opY.toByte()`."""
+"""A name of another program: `Op.OutputSpeed`, `Op::OutputSpeed as u8`, `X.opY.code.toByte()`, `byte(OpOutputSpeed)`."""
+_OWN = re.compile(r"[oO]p[A-Z]|[A-Z][a-z]+[A-Z]|[A-Za-z]+_")
+"""How a name begins that is not a variable's: `opNop`, `DirectReply`, `TYPE_`."""
 
 
 def _plain(name: str) -> str:
-    return re.sub(r"^op(?=[A-Z])|_", "", name).upper()
+    return re.sub(r"^[oO]p(?=[A-Z])|_", "", name).upper()
 
 
 @cache
@@ -476,7 +483,7 @@ def _constants() -> tuple[dict[str, bytes], dict[str, bytes]]:
 def known_name(text: str) -> bytes | None:
     """Returns the byte of an operation, a CMD, a type of a frame, a constant, however a program writes its name."""
     name = _NAME.fullmatch(text.strip())
-    if name is None or not (name["owner"][:1].isupper() or "_" in name["name"] or name["name"].startswith("op")):
+    if name is None or not (name["owner"][:1].isupper() or _OWN.match(name["name"])):
         return None
     plain = _constants()[1]
     return (plain.get(f"COMMAND{_plain(name['name'])}") if "ommand" in name["owner"] else None) or plain.get(

@@ -97,9 +97,9 @@ def _is_likely(frame: bytes, run: Run, base: str, *, is_all: bool) -> bool:
 def _is_known(frame: bytes, run: Run, *, is_all: bool) -> bool:
     """Returns whether enough is known; where an opcode is not, the operations can't be read: the length decides."""
     known = [one.kind != "unknown" for one in run.elements]
-    if sum(known) * 2 <= len(known) or known[:LENGTH_FIELD] == [True, False]:
-        return False
-    return is_sure(frame) or (is_all and all(known[:LENGTH_FIELD] + known[HEADER_SIZE - 1 : HEADER_SIZE]))
+    if is_all and all(known[:LENGTH_FIELD] + known[HEADER_SIZE - 1 : HEADER_SIZE]):
+        return True
+    return sum(known) * 2 > len(known) and known[:LENGTH_FIELD] != [True, False] and is_sure(frame)
 
 
 def _worth(run: Run, parts: list[tuple[Part, list[FrameSpan]]]) -> Worth:

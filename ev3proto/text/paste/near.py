@@ -77,6 +77,8 @@ class Near(NamedTuple):
 def near(runs: Iterable[Run], rows: Sequence[Row]) -> Near | None:
     """Returns the bytes of some lines that were meant as a frame; None if there are none."""
     # With expressions among the elements, or from any place of several lines, a wrong frame is too much of a guess.
+    if len(rows) > 1 and any(row.wide is not None and Run(row.wide.elements).has_unknown for row in rows):
+        return None
     tried = [run for run in runs if not (run.is_guess and (run.has_unknown or len(rows) > 1))]
     return next(_wrong(tried, rows), None) or next(_begun(tried, rows), None)
 

@@ -138,8 +138,8 @@ class Block:
         if wide is None:
             return row
         is_name = not row.elements and (not last.is_open or wide.front(0) == last.front(0))
-        is_assigned = len(row.elements) == 1 < len(wide.elements) and _ASSIGNED.match(text) is not None
-        return wide if is_name or is_assigned or any(one.kind == "string" for one in wide.elements) else row
+        is_value = len(row.elements) < len(last.elements) == len(wide.elements)
+        return wide if is_name or is_value or any(one.kind == "string" for one in wide.elements) else row
 
     def _begins_anew(self, row: Row, data: bytes) -> bool:
         """Returns whether a row is a frame by itself, right or wrong, that the rows so far do not need."""
@@ -490,8 +490,8 @@ def _extents(
 def _end_of_rest(reading: Reading, part: Part, at: int, follows: int, lines: dict[int, str]) -> int:
     """Returns where the bytes end that belong to the frame in front of them: at an edge, but for padding."""
     data, run = part.data, reading.run
-    if not any(data[at:follows]) and (follows == len(data) or reading.base == "words"):
-        return at if reading.base == "words" else follows
+    if reading.base == "words" and not any(data[at:follows]):
+        return at
     if follows == len(data) and _is_rest(reading, part, at, lines):
         return follows
     place = bisect_left(run.breaks, part.first + bisect_left(part.offsets, at))

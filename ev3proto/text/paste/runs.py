@@ -171,8 +171,8 @@ def _of_unknown(data: bytes, unknown: list[list[bool]]) -> bytes:
     """Returns bytes of which some are unknown, none if all are; an unknown length is the one that fits."""
     if all(all(one) and one for one in unknown):
         return b""
-    is_fitted = unknown[0][:1] == [True] and len(data) > LENGTH_FIELD
-    return with_length(data[LENGTH_FIELD:]) if is_fitted else data
+    fitted = with_length(data[LENGTH_FIELD:])
+    return fitted if unknown[0][:1] == [True] and fitted[1:] == data[1:] else data
 
 
 class _Digits(NamedTuple):
@@ -236,12 +236,11 @@ class Row:
     def wide(self) -> Row | None:
         """The row with expressions and texts among its elements; None if there are none of these."""
         is_long = len(self.line) > MAX_COLLECTED
-        elements = None if is_long else widened(self.line, self.number, is_inside=self._is_inside)
-        if elements is None:
+        found = None if is_long else widened(self.line, self.number, is_inside=self._is_inside)
+        if found is None:
             return None
         row = Row.__new__(Row)
-        row.line, row.number, row.after, row.elements = self.line, self.number, self.after, elements
-        row.wide = None
+        row.line, row.number, (row.elements, row.after), row.wide = self.line, self.number, found, None
         return row
 
     @cached_property

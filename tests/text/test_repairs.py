@@ -23,6 +23,15 @@ READ = (
     (r"\0D\00*\00\80\00\00\A4\00\01\81d\A6\00\01", "0d002a00800000a400018164a60001", "LabVIEW"),
     (r"sent \08\00\s\00\00\04\00\81\01`", "0800200000040081" + "0160", "LabVIEW"),
     (r"\07\00*\00\02\A4p\FD@", "07002a0002a470fd40", "LabVIEW"),
+    ("<0D><00>*<00><80><00><00><A4><00><01><81>d<A6><00><01>", "0d002a00800000a400018164a60001", "in brackets"),
+    ("[07][00]*[00][02][A4]p[FD]@", "07002a0002a470fd40", "in brackets"),
+    ("%07%00*%00%02%A4p%FD%40", "07002a0002a470fd40", "in brackets"),
+    ("d 0 2a 0 -80 0 0 -5c 0 1 -7f -32 -5a 0 1", "0d002a00800000a4000181cea60001", "& 0xff"),
+    ("0d 00 2a 00 ff80 00 00 ffa4 00 01 ff81 ffce ffa6 00 01", "0d002a00800000a4000181cea60001", "& 0xff"),
+    ("13 0 42 0 65408 0 0 65444 0 1 65409 65486 65446 0 1", "0d002a00800000a4000181cea60001", "& 0xff"),
+    ("7 0 42 0 2 4294967204 112 4294967293 64", "07002a0002a470fd40", "& 0xff"),
+    ("07002a0002ffffffffffffffa470fffffffffffffffd40", "07002a0002a470fd40", "& 0xff"),
+    ("rx = {0xd, 0x0, 0x2a, 0x0, 0x2, 0x0 <repeats 10 times>}", "0d002a000200000000000000000000", "debugger"),
 )
 
 
@@ -43,6 +52,9 @@ TOLD = (
     ("F0000008000009401810282E80382E803", "0F 00 00 00 80 00 00 94 01 81 02 82 E8 03 82 E8 03"),
     ("f000800094181282e8382e83", "0F 00 00 00 80 00 00 94 01 81 02 82 E8 03 82 E8 03"),
     ("recv: 70102a470fd40", "07 00 01 00 02 A4 70 FD 40"),
+    ("const cmd = 'f000800094181282e8382e83'", "0F 00 00 00 80 00 00 94 01 81 02 82 E8 03 82 E8 03"),
+    ("0D 00 00 00 80 00 00 A4 00 01 81 \u04172 A6 00 01", "did you mean '32'"),
+    ("0D 00 00 00 80 00 00 A4 00 01 81 3Z A6 00 01", "did you mean '32'"),
 )
 
 
@@ -67,6 +79,12 @@ CUT = (
     ("array([247,   0,   5, ...,  48,  48,  48], dtype=uint8)", 3),
     ("received [247   0   5 ...  48  48  48]", 3),
     ("Data: f7 00 05 00 03 99 00 ed 06 00 2a 00 02 00 00 00 (truncated)", 16),
+    ("f7 00 05 00 03 99 00 ed 00 00 00 00 33 45 [235 bytes omitted]", 14),
+    ("f7 00 05 00 03 99 00 ed 00 00 00 00 33 45 (+235 bytes)", 14),
+    ("<<247,0,5,0,3,153,0,237,0,0,0,0,51,69,50,49,...>>", 16),
+    ("249-element Vector{UInt8}:\n 0xf7\n 0x00\n 0x05\n 0x00\n 0x03\n 0x99\n 0x00\n 0xed\n    \u22ee\n 0x30", 8),
+    ('read(3, "\\xf7\\x00\\x05\\x00\\x03\\x99\\x00\\xed"..., 1024) = 249', 8),
+    ("Uint8Array(249) [Buffer] [\n  247, 0, 5, 0,\n    3, 153, 0, 240,\n  ... 241 more items\n]", 8),
 )
 
 
@@ -74,6 +92,17 @@ CUT = (
 def test_a_frame_that_the_text_cuts_is_shown_as_far_as_it_goes(text: str, count: int) -> None:
     (piece,) = pieces(text)
     assert (piece.data[:3], len(piece.data), piece.cut, piece.problem) == (b"\xf7\0\5", count, True, None)
+
+
+def test_an_object_of_javascript_with_its_length_has_no_byte_too_many() -> None:
+    bytes_of = ", ".join(f"{at}: {byte}" for at, byte in enumerate(bytes.fromhex("07002a0002a470fd40")))
+    (piece,) = pieces(f"{{ {bytes_of}, length: 9, parent: undefined, offset: 0 }}")
+    assert piece.data.hex() == "07002a0002a470fd40"
+
+
+def test_hex_of_each_byte_in_a_row() -> None:
+    (piece,) = pieces("0x70x00x2a0x00x20xa40x700xfd0x40")
+    assert piece.data.hex() == "07002a0002a470fd40"
 
 
 def test_numbers_with_an_ellipsis_are_not_a_frame() -> None:

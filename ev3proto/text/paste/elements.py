@@ -127,7 +127,7 @@ FORMS = (
     Form("other", "192.168.1.100", rf"(?<![\w.-])(?!{_DOTTED})[-+]?\d+(?:\.\d+){{1,3}}(?:e[-+]?\d+)?(?![\w.])"),
     Form("other", "</b>", r"</?[a-fA-F]>"),
     # All other values.
-    Form("marked", "|0x0f|0x00", rf"0[xX]{_H}{{2}}(?=0[xX]{_H}{{2}}|(?!\w|\.to))"),
+    Form("marked", "|0x0f|0x0", rf"0[xX]{_H}{{1,2}}?(?=0[xX]{_H}|(?!\w|\.to))"),
     Form(
         "marked",
         "0x0fu8",
@@ -148,8 +148,13 @@ FORMS = (
     Form("marked", "LC1(20)", rf"{_BEFORE}(?:\w{{1,20}}\.)?{_MACRO}"),
     Form("marked", "opNOP", rf"{_BEFORE}(?:[a-z]\w{{0,20}}\.)?(?:op[A-Z]\w+|[A-Z][A-Z0-9_]+){_AFTER}"),
     Form("cut", "... 12 more bytes", r"(?:\.{3}|\u2026)\s?\(?\d{1,5}\s(?:more\s)?(?:bytes|items)(?:\smore)?\)?"),
+    Form(
+        "cut",
+        "(+235 bytes)",
+        r"[\[(<](?:\+\d{1,5}\sbytes|\d{1,5}\s(?:more\sbytes|bytes\s(?:more|omitted|skipped|truncated)))[\])>]",
+    ),
     Form("cut", "(truncated)", r"[\[(<](?:truncated|snip(?:ped)?)[\])>]"),
-    Form("cut", "...", r"(?<![.>])(?<!\s\|)(?<!\s\s)\.{3}(?!\.)|\u2026"),
+    Form("cut", "...", r"(?<![.>])(?<!\s\|)(?<!\s\s)\.{3}(?!\.)|[\u2026\u22ee]"),
     # Words are stepped over at once.
     Form("word", "length", r"[^\W\d]\w*"),
 )  # fmt: skip
@@ -175,7 +180,7 @@ _LOOKALIKES = str.maketrans(
 )
 
 
-_WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
+_WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {0x3000: " ", 0x3001: ","}
 
 
 def narrow(text: str) -> str:
@@ -244,7 +249,7 @@ _TEXT_IN_CALL = re.compile(r"(?<=[\w\])]\()\"(?=[^\"\\]+\"\s?\))")
 
 
 def widened(line: str, number: int, *, is_inside: bool) -> tuple[list[TextElement], str] | None:
-    """Returns what `elements_of` does, with expressions and texts among it: `{size, 0}`, `m[0] = size;`, `print("abc")`.
+    """Returns what `elements_of` does, with expressions and texts: `{size, 0}`, `m[0] = size;`, `print("abc")`.
 
     None if there are none but those of `elements_of`. `is_inside` tells that the line begins inside a list.
     """
@@ -323,8 +328,8 @@ def _byte(number: int, least: int = 0) -> bytes | None:
 
 
 def _hex(digits: str) -> bytes | None:
-    if len(digits) == 8 and digits[:6] in ("ffffff", "FFFFFF"):
-        return bytes.fromhex(digits[6:])  # a negative byte of Java or C, spread over 32 bits
+    if len(digits) in (8, 16) and not digits[:-2].strip("fF"):
+        return bytes.fromhex(digits[-2:])  # a negative byte of Java or C, spread over 32 or 64 bits
     return bytes.fromhex(digits.zfill(2)) if len(digits) == 1 or len(digits) % 2 == 0 else None
 
 
@@ -455,7 +460,7 @@ _NAME = re.compile(
     rf"(?P<cast>(?:static_cast<)?{_TYPE}>?\()?(?P<owner>(?:\w+(?:\.|::))*?)(?P<name>[A-Za-z]\w+?)"
     r"(?:\.(?:\w+\(\)|rawValue|value|code|byte)|\sas\s\w+)*(?(cast)\))"
 )
-"""A name of another program: `Op.OutputSpeed`, `Op::OutputSpeed as u8`, `X.opY.code.toByte()`, `byte(OpOutputSpeed)`."""
+"""A name of another program: `Op.OutputSpeed`, `Op::OutputSpeed as u8`, `X.opY.code.toByte()`, `byte(OpNop)`."""
 _OWN = re.compile(r"[oO]p[A-Z]|[A-Z][a-z]+[A-Z]|[A-Za-z]+_")
 """How a name begins that is not a variable's: `opNop`, `DirectReply`, `TYPE_`."""
 

@@ -147,13 +147,20 @@ def _is_meant(found: Near, before: str) -> bool:
     is_lesson = before.endswith(("0x|", "0X|"))
     if is_prose(found.data) and not is_lesson:
         return False
-    widths = {*found.run.widths[found.part.first : found.part.last]}
-    is_open = before.rstrip().endswith(("[", "{", "("))
+    first, last = (found.part.first + bisect_left(found.part.offsets, at) for at in (found.start, found.end))
+    widths = {*found.run.widths[first:last]}
+    is_open = re.search(r"[\[{(]$|<<$", before.rstrip()) is not None
     is_counted = bool({1, 3} & widths)
     if _is_proved(found, before) or _is_begun(found, is_open, is_counted, is_lesson):
         return True
     is_listed = is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
-    return found.is_stopped and is_listed and is_head(before) and head_of(before).direction is not None
+    return (
+        found.is_stopped
+        and is_listed
+        and not found.run.is_mixed
+        and is_head(before)
+        and head_of(before).direction is not None
+    )
 
 
 def _is_begun(found: Near, is_open: bool, is_counted: bool, is_lesson: bool) -> bool:

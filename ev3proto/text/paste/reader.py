@@ -30,7 +30,7 @@ _GATE = re.compile(
     # An element from 0 to 3, the second byte of every frame; or a group of digits with it, or that begins with it.
     (?<![a-zA-Z\d])(?<!\d\.)(?:0[xX]|&[hH]|\$)?0{0,3}[0-3](?![\da-fA-FxX]|\.\d) | (?<!\w)(?:0[xX])?[\da-fA-F]{2}0[0-3]
     (?=(?:[\da-fA-F]{4})?(?!\w)|[\da-fA-F]{6}|[xXmM]{2}) | (?<!\w)(?:0[xX])?0[0-3][\da-fA-F]{8}
-  | 0x0[0-3]0x | [\da-fA-F]{2}\.0[0-3]\.
+  | 0x0?[0-3]0x | [\da-fA-F]{2}\.0[0-3]\.
     # A download, which may be longer than other frames: its type and its command.
   | [\da-fA-F]{2}[\W_]?[08]1[\W_]?9[\da-fA-F]
     # An escape, the lesson's mark, an unknown byte, base64.

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import islice
 from typing import NamedTuple
 
@@ -19,14 +20,16 @@ from ev3proto.text.paste.elements import narrow
 from ev3proto.text.paste.heads import is_head
 from ev3proto.text.paste.judge import Reading, best
 from ev3proto.text.paste.pieces import MAX_TEXT, SlipPlace, short
-from ev3proto.text.paste.runs import Row
+from ev3proto.text.paste.runs import AROUND, Row
 
 _MOST_TRIED = 500
 """Candidates of a line: frames of 60 bytes have no more of one digit, and each costs a parse."""
 _LONGEST = 4096
 _DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
+_SPREAD = re.compile(r"(?<![\w.-])(?:ff([89a-f]\w)|(65[45]\d\d|4294967[12]\d\d)|-([\da-f]{1,2}))(?!\w)", re.IGNORECASE)
+"""A byte above 7f as more digits, or with its sign: `ffa4`, `65444`, `4294967204`, `-5c`."""
 _HEX_WORD = re.compile(r"(?<!\w)(?:0[xX])?([0-9a-fA-F]{9,})(?!\w)")
-LOOKALIKES = str.maketrans("OolIiАВСЕасеОоХхΑΒΕΟΧ", "00111ABCEace00XxABE0X")
+LOOKALIKES = str.maketrans("OolIiSZАВСЕасеОоХхЗбΑΒΕΟΧ", "0011152ABCEace00Xx36ABE0X")
 """Letters that are read for digits in scanned pictures, or were typed on a Russian or Greek keyboard."""
 _MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{''.join(map(chr, LOOKALIKES))}]+(?![^\W_])")
 _DIGIT = re.compile(r"[0-9\uff10-\uff19]{2}")
@@ -62,17 +65,22 @@ def _lookalikes(line: str) -> Iterator[str]:
 
 
 def _signed(line: str) -> Iterator[str]:
-    yield _HEX_WORD.sub(lambda found: re.sub("ffffff(?=[89a-f])|FFFFFF(?=[89A-F])", "", found[0]), line)
+    yield _HEX_WORD.sub(lambda found: re.sub("(?i)(?:ffffffff)?ffffff(?=[89a-f])", "", found[0]), line)
+    yield _SPREAD.sub(lambda one: one[1] or (f"{int(one[2]) & 255}" if one[2] else f"{-int(one[3], 16) & 255:x}"), line)
 
 
-def _labview(line: str) -> Iterator[str]:
-    found = re.search(r"\\[0-9A-F]{2}.*", line)
+def _marked(mark: re.Pattern[str], line: str) -> Iterator[str]:
+    """Yields the bytes of what has some of them between marks, as digits, and all others as characters."""
+    found = next((one for one in mark.finditer(line) if len(one[1]) == 2), None)
     if found is not None:
-        quote = line[: found.start()][-1:]
-        text = found[0].partition(quote)[0] if quote in ("'", '"') else found[0]
-        codes = re.compile(r"\\([0-9A-F]{2}|[nrtbfs\\])")
-        body = codes.sub(lambda one: rf"\x{_LABVIEW.get(one[1], one[1])}", text)
-        yield f'{line[: found.start()]}"{body}"'
+        before, text = line[: found.start()], line[found.start() :]
+        text = text.partition(before[-1])[0] if before[-1:] in ("'", '"') else text
+        codes = mark.sub(lambda one: rf"\x{_LABVIEW.get(one[1], one[1])}", text)
+        yield f'{before}"{codes}"'
+
+
+def _repeats(line: str) -> Iterator[str]:
+    yield re.sub(r"(\w+) <repeats (\d{1,3}) times>", lambda one: ", ".join([one[1]] * int(one[2])), line)
 
 
 def _lost_zero(line: str) -> Iterator[str]:
@@ -84,7 +92,8 @@ def _lost_zero(line: str) -> Iterator[str]:
 
 def _unpadded(line: str) -> Iterator[str]:
     word = _HEX_WORD.search(line)
-    if word is not None and not line[word.end() :].strip() and is_head(line[: word.start()]):
+    before, after = (line[: word.start()], line[word.end() :]) if word is not None else ("", line)
+    if word is not None and not after.strip(AROUND) and (is_head(before) or before.endswith(("'", '"'))):
         yield from islice(_parted(word[1], (int(word[1][0], 16), int(word[1][:2], 16))), _MOST_TRIED)
 
 
@@ -111,7 +120,17 @@ REPAIRS = (
     Repair("\uff10\uff16002a0080000001", _wide, "its letters are as wide as an ideograph (full-width)"),
     Repair("O6 00 2a 00 8O 00 00 01", _lookalikes, "{word!r} is not hex; did you mean {meant!r}?", is_read=False),
     Repair("06002a00ffffff80000001", _signed, "a byte above 7f is spread over 32 bits (ffffff80); print it & 0xff"),
-    Repair(r"\06\00*\00\80\00\00\01", _labview, "these are '\\' codes of LabVIEW"),
+    Repair(
+        r"\06\00*\00\80\00\00\01",
+        partial(_marked, re.compile(r"\\([0-9A-F]{2}|[nrtbfs\\])")),
+        "these are '\\' codes of LabVIEW",
+    ),
+    Repair(
+        "<06><00>*<00><80><00><00><01>",
+        partial(_marked, re.compile(r"[<{\[%=]([\dA-Fa-f]{2})[>}\]]?")),
+        "characters that are not in brackets are bytes, too",
+    ),
+    Repair("{0xd, 0x0, 0x2a, 0x0, 0x2, 0x0 <repeats 10 times>}", _repeats, "the debugger shows equal bytes once"),
     Repair(
         "F0000008000009401810282E80382E803",
         _lost_zero,

@@ -288,7 +288,8 @@ class Row:
         """Returns the first element of the row that belongs to those of another one from a place on; None for none."""
         if place < len(self.elements) and self.front(place) == like.front(place):
             return place
-        return 0 if self.is_bare and (place < len(self.elements) or self.front(0) != like.front(0)) else None
+        is_other = self.front(0) != like.front(0) or self.elements[0].kind == "cut"
+        return 0 if self.is_bare and (place < len(self.elements) or is_other) else None
 
     @property
     def is_open(self) -> bool:

@@ -18,6 +18,11 @@ PROGRAMS = {
     "a = ev3.opUI_Write + ev3.LED + ev3.LED_RED\nb = ev3.opUI_Read + ev3.GET_VBATT + ev3.GVX(0)\n": (
         "0x|08:00|00:00|80|00:00|82:1B:02|\n0x|08:00|01:00|00|04:00|81:01:60|\n"
     ),
+    "my_ev3.send_direct_cmd(ev3.opSound + ev3.TONE + ev3.LCX(1) + ev3.LCX(440) + ev3.LCX(1000))": TONE,
+    "ops = ev3.opNop\nops += ev3.opSound + ev3.BREAK\nmy_ev3.send_direct_cmd(ops)": (
+        "0x|08:00|00:00|80|00:00|01:94:00|\n"
+    ),
+    "SOUND(TONE\u30011\u3001440\u30011000)": TONE,
     "SOUND\uff08TONE\uff0c1\uff0c440\uff0c1000\uff09": TONE,
 }
 

@@ -15,14 +15,15 @@ from collections.abc import Iterator
 _GAP = r"(?>(?:\s|\#[^\n]*|\\\n)*)"
 _INSIDE = r"""(?:"[^"\n]*"|'[^'\n]*'|[^()"'])*"""
 _ELEMENT = rf"(?:\w+\.)?[A-Za-z_]\w*(?:\({_INSIDE}(?:\({_INSIDE}\){_INSIDE})*\))?"
-_LIST = re.compile(rf"(?<!\w)(?:\w+\.)?op[A-Z]\w*(?:{_GAP}[,+]{_GAP}{_ELEMENT})*")
+_LIST = re.compile(rf"(?<!\w)(?:\w+\.)?op[A-Z]\w*(?:{_GAP}(?:[,+]|\w+\s\+=){_GAP}{_ELEMENT})*")
 _MARK = re.compile(
-    r"""(?P<kept>"[^"\n]*"|'[^'\n]*')|(?P<comma>\+(?![^()]*\)))|\#[^\n]*|\\(?=\n)|(?<!\w)[A-Za-z_]\w*\.(?=[A-Za-z_])"""
+    r"""(?P<kept>"[^"\n]*"|'[^'\n]*')|(?P<comma>(?:\w+\s(?=\+=))?\+=?(?![^()]*\)))|\#[^\n]*|\\(?=\n)|(?<!\w)[A-Za-z_]\w*\.(?=[A-Za-z_])"""
 )
-"""What differs: a plus between operations, a comment, the end of a line, the name of the module."""
+"""What differs: a plus between operations or in front of more of them, a comment, the end of a line, the name of the module."""
 _BEGIN = re.compile(
     r"\bimport\s+ev3_dc\b|\bfrom\s+ev3_dc\b|\bb(?:''|\"\")\.join\([\[(]\s*(?:\w+\.)?op[A-Z]"
-    r"|^\s*(?:\w+\s*=\s*\(?\s*(?:\w+\.)?|\w+\.)op[A-Z]\w*\s*[+,]",
+    r"|^\s*(?:\w+\s*=\s*\(?\s*(?:\w+\.)?|\w+\.|\w+\.send_\w+\(\s*(?:\w+\.)?)op[A-Z]\w*\s*[+,]"
+    r"|^\s*\w+\s*=\s*\w+\.op[A-Z]\w*\s*$",
     re.MULTILINE,
 )
 
@@ -33,7 +34,7 @@ def is_python(text: str) -> bool:
 
 
 def _marked(found: re.Match[str]) -> str:
-    return found["kept"] or ("," if found["comma"] else " " * len(found[0]))
+    return found["kept"] or ("," if found["comma"] else "").ljust(len(found[0]))
 
 
 def assembly_in(text: str) -> Iterator[str]:

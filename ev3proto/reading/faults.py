@@ -36,7 +36,7 @@ class Faults:
             meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
             place = place._replace(offset=fault.offset)
             return Problem(place, ProblemCode.FAULT, f"{said}fault at {fault}{''.join(meant)}")
-        if not is_text:
+        if not is_text or record.missing:
             return None
         if record.is_from_brick and record.seen.direction is None:
             # A command without its counter is a reply by its type.

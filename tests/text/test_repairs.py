@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from support.cases import each
+from support.cli import run_ev3proto_text
 
 from ev3proto.text.paste import Pasted, read_text
 
@@ -103,6 +104,12 @@ def test_an_object_of_javascript_with_its_length_has_no_byte_too_many() -> None:
 def test_hex_of_each_byte_in_a_row() -> None:
     (piece,) = pieces("0x70x00x2a0x00x20xa40x700xfd0x40")
     assert piece.data.hex() == "07002a0002a470fd40"
+
+
+def test_nothing_else_is_proposed_for_a_frame_that_the_text_cuts() -> None:
+    done = run_ev3proto_text("decode", "-", stdin="{length = 249, bytes = 0xf7000500 039900f0 00000000 ... 3030 }")
+    assert "12 bytes of 249" in done.stdout
+    assert "did you mean" not in done.stderr
 
 
 def test_numbers_with_an_ellipsis_are_not_a_frame() -> None:

@@ -19,7 +19,7 @@ _LIST = re.compile(rf"(?<!\w)(?:\w+\.)?op[A-Z]\w*(?:{_GAP}(?:[,+]|\w+\s\+=){_GAP
 _MARK = re.compile(
     r"""(?P<kept>"[^"\n]*"|'[^'\n]*')|(?P<comma>(?:\w+\s(?=\+=))?\+=?(?![^()]*\)))|\#[^\n]*|\\(?=\n)|(?<!\w)[A-Za-z_]\w*\.(?=[A-Za-z_])"""
 )
-"""What differs: a plus between operations or in front of more of them, a comment, the end of a line, the name of the module."""
+"""What differs: a plus between operations or before more of them, a comment, the end of a line, the module."""
 _BEGIN = re.compile(
     r"\bimport\s+ev3_dc\b|\bfrom\s+ev3_dc\b|\bb(?:''|\"\")\.join\([\[(]\s*(?:\w+\.)?op[A-Z]"
     r"|^\s*(?:\w+\s*=\s*\(?\s*(?:\w+\.)?|\w+\.|\w+\.send_\w+\(\s*(?:\w+\.)?)op[A-Z]\w*\s*[+,]"

@@ -281,7 +281,7 @@ def _is_expression(text: str) -> bool:
         return False
     known = elements_of(text)[0]
     if len(known) != 1 or (known[0].kind == "marked" and BYTES["hex"][known[0].text] is None):
-        return True  # a name that nobody knows is one, too
+        return True  # a name without a meaning is one, too
     return _OPERATOR.search(text[: known[0].start] + text[known[0].end :]) is not None
 
 

@@ -2533,7 +2533,7 @@ local LABELS = { 1, 31 }
 -- What is said of constants: code and words. The brick refuses those of REFUSED.
 
 local FINDINGS = {
-    NEVER_RUNS = { "E201", "{byte} is {name}, which the firmware never runs" },
+    NEVER_RUNS = { "E201", "{byte} is {owner}, which the firmware never runs" },
     REFUSED = { "E204", "{name} is {value}, but the brick accepts only {accepted} in a first parameter" },
     LABEL_NUMBER = { "E206", "{name} is {value}, but labels are 0 to 31" },
     TRUNCATED = { "E301", "{name} is {value}, which the brick truncates to {read}: it is {type}" },
@@ -4099,7 +4099,7 @@ do
                 break
             end
             if byte(text, at + 1) == CLAIMS.never_sent then
-                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
+                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name }))
             end
             local cmd = selected.cmd_name
             if steps and cmd then
@@ -6358,4 +6358,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 159cb641455341fd
+-- Checksum of the lines above, by which a changed file is recognised: 9e1524effb9c291e

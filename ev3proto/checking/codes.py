@@ -12,10 +12,13 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
-from ev3proto.schema.header import with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MOST_IN_REPLY, with_length
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import mailboxes, operations
-from ev3proto.tables.encoding import LOCAL
+from ev3proto.tables.daisy import DaisySubCommand
+from ev3proto.tables.declaration import Role
+from ev3proto.tables.frame import GRANTED_GLOBALS, REPORT_SIZES, MessageType
+from ev3proto.tables.system import FLASH_SIZE
 from ev3proto.tables.validation import LABELS
 
 
@@ -26,7 +29,7 @@ class Words(NamedTuple):
     help: str
 
 
-_Texts = Mapping[Wrong | str, Words]
+_Texts = Mapping[Wrong | Role | str, Words]
 _NO_WORDS: _Texts = MappingProxyType({})
 
 
@@ -41,7 +44,7 @@ class FindingCode(NamedTuple):
     counterexample: bytes  # nearly the same frame, which does not raise it
     carrier: str | None = None  # the carrier that both need, None if it does not matter
     alone: bool = False  # whether it is only for a frame that is not among others
-    words: _Texts = _NO_WORDS  # its words, by what is wrong with a value or by a name
+    words: _Texts = _NO_WORDS  # its words, by what is wrong with a value or by a name; "" is the name of the usual ones
 
     def finding(
         self,
@@ -55,12 +58,23 @@ class FindingCode(NamedTuple):
         """Returns a finding with this code; the parameters are those of `Finding`."""
         return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
 
+    def at(self, offset: int, length: int, key: Wrong | Role | str = "", /, **parts: object) -> Finding:
+        """Returns a finding in the words of this code.
 
-NO_PORTS, LONGER, NEVER_RUNS, SYNCHRONIZED = "NO_PORTS", "LONGER", "NEVER_RUNS", "SYNCHRONIZED"
-ONE_NUMBER, FEWER_BYTES, MORE_BYTES = "ONE_NUMBER", "FEWER_BYTES", "MORE_BYTES"
-MAILBOX_NAME, MAILBOX_CONTENT = "MAILBOX_NAME", "MAILBOX_CONTENT"
-"""Names of words: a bit mask without a port, a longer encoding, an opcode that never runs, arrays of other lengths than
-stated, what is too long for a mailbox."""
+        Args:
+            offset: Of the first byte concerned.
+            length: Number of bytes concerned.
+            key: Of the words.
+            parts: What the words name; `owner` is the operation or system command, `name` the parameter or field.
+        """
+        message, help_ = [text.format(**parts) for text in self.words[key]]
+        owner, name = [None if parts.get(part) is None else str(parts[part]) for part in ("owner", "name")]
+        return self.finding(offset, length, message, help_, owner, name)
+
+
+NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT = "NO_PORTS", "NEVER_RUNS", "MAILBOX_NAME", "MAILBOX_CONTENT"
+"""The keys of words that the dissector says, too: a bit mask without a port, an opcode that never runs, what is too
+long for a mailbox."""
 
 CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
@@ -76,11 +90,12 @@ def _code(
     counterexample: bytes,
     carrier: str | None = None,
     alone: bool = False,
-    words: _Texts = _NO_WORDS,
+    words: Words | _Texts = _NO_WORDS,
 ) -> FindingCode:
     severity = _SEVERITIES[code[0]]
+    texts: _Texts = {"": words} if isinstance(words, Words) else words
     entry = CODES[code] = FindingCode(
-        code, severity, title, explanation.strip(), example, counterexample, carrier, alone, words
+        code, severity, title, explanation.strip(), example, counterexample, carrier, alone, texts
     )
     return entry
 
@@ -100,6 +115,17 @@ def opcode(name: str) -> str:
     return f"{name} (0x{operations()[name].opcode.number:02X})"
 
 
+# What several codes say.
+_STATED = "the length field says that {stated} it, but there are {follow}"
+_NOP = opcode("NOP")
+_USE_AN_OPCODE = "use an opcode, and check the length of what is before it"
+_OTHER_CMD = "use a CMD of {owner}; `ev3proto ops {owner}` lists them"
+_MISREAD = "the 2013 firmware does not know {owner} and reads its arguments as operations"
+_BEYOND = Words(
+    "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory",
+    "{more}use a lower index{limit}",
+)
+
 TONE = _sized("2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03")
 VOLTAGE = _sized("2A:00|00|04:00|81:01:60")
 
@@ -114,6 +140,10 @@ TOO_SHORT = _code(
     """,
     _frame("03:00|2A:00"),
     VOLTAGE,
+    words=Words(
+        f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {{size}}",
+        "start at the length field and include the whole frame",
+    ),
 )
 INCOMPLETE = _code(
     "E102",
@@ -126,6 +156,7 @@ INCOMPLETE = _code(
     """,
     _frame("0E:00|2A:00|80|00:00|94:01:01:82:B8:01"),
     TONE,
+    words=Words(_STATED, "set the length to {follow}, or add the {missing}"),
 )
 LEFT_OVER = _code(
     "E103",
@@ -137,6 +168,10 @@ LEFT_OVER = _code(
     """,
     _frame("08:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
     _frame("0B:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
+    words={
+        "": Words(_STATED, "set the length to {follow}{omit}"),
+        "too long": Words(_STATED, "use a length of at most {most}{omit}"),
+    },
 )
 TOO_LONG = _code(
     "E104",
@@ -150,6 +185,7 @@ TOO_LONG = _code(
     """,
     _sized("2A:00|80|00:00|" + "01:" * 1017 + "01"),
     _sized("2A:00|80|00:00|" + "01:" * 1016 + "01"),
+    words=Words("a frame has at most {most} bytes{on}, this one has {size}", "send it in several frames"),
 )
 UNKNOWN_TYPE = _code(
     "E105",
@@ -160,6 +196,12 @@ UNKNOWN_TYPE = _code(
     """,
     _frame("06:00|2A:00|40|00:00|01"),
     _frame("06:00|2A:00|80|00:00|01"),
+    words=Words(
+        "unknown message type 0x{type:02X}",
+        f"use 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
+        f" 0x{MessageType.DIRECT_COMMAND_NO_REPLY:02X} for one without, 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or"
+        f" 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system command",
+    ),
 )
 EMPTY = _code(
     "E106",
@@ -170,6 +212,13 @@ EMPTY = _code(
     """,
     _frame("05:00|2A:00|00|00:00"),
     _frame("06:00|2A:00|00|00:00|01"),
+    words={
+        "": Words("the command has no operation", f"add at least one operation; {_NOP} does nothing"),
+        "no memory": Words(
+            "the command ends before the two bytes that request memory",
+            f"add two bytes that request memory, 0 for none, and then at least one operation; {_NOP} does nothing",
+        ),
+    },
 )
 REFUSED_MEMORY = _code(
     "E107",
@@ -180,6 +229,10 @@ REFUSED_MEMORY = _code(
     """,
     _sized("2A:00|00|FF:03|81:01:60"),
     VOLTAGE,
+    words=Words(
+        f"the header requests {{asked}} bytes of global memory, but the firmware grants at most {GRANTED_GLOBALS}",
+        f"request at most {MOST_IN_REPLY} bytes, which fit into a reply",
+    ),
 )
 NOT_A_FRAME = _code(
     "E108",
@@ -190,6 +243,7 @@ NOT_A_FRAME = _code(
     """,
     b"forward",
     _frame("06:00|2A:00|80|00:00|01"),
+    words=Words("{said}", "send a frame; `ops` lists the operations"),
 )
 NO_COMMAND = _code(
     "W101",
@@ -200,6 +254,7 @@ NO_COMMAND = _code(
     """,
     _frame("03:00|2A:00|02"),
     VOLTAGE,
+    words=Words("{type} is a message from the brick, not to it", "check the command that it answers"),
 )
 LONG_REPLY = _code(
     "W102",
@@ -210,6 +265,10 @@ LONG_REPLY = _code(
     """,
     _sized("2A:00|00|FC:03|81:03:81:7F:60"),
     _sized("2A:00|00|7F:00|81:03:81:7F:60"),
+    words=Words(
+        f"the header requests {{asked}} bytes of global memory, but a reply carries {MOST_IN_REPLY}",
+        f"request at most {MOST_IN_REPLY} bytes",
+    ),
 )
 PADDING = _code(
     "H101",
@@ -220,6 +279,7 @@ PADDING = _code(
     """,
     _frame("06:00|2A:00|80|00:00|01") + bytes(1016),
     _frame("06:00|2A:00|80|00:00|01"),
+    words=Words("the frame ends here; {zeros} pad it to a USB report", "omit them, except on USB"),
 )
 
 # 2: operations
@@ -238,9 +298,14 @@ UNKNOWN_OPCODE = _code(
     _sized("2A:00|80|00:00|A6:00:01"),
     words={
         NEVER_RUNS: Words(
-            "{byte} is {name}, which the firmware never runs",
-            "use an opcode, and check the length of what is before it",
+            "{byte} is {owner}, which the firmware never runs",
+            _USE_AN_OPCODE,
         ),
+        "": Words("unknown opcode {byte} for the {dialect} firmware", _USE_AN_OPCODE),
+        "dialect": Words(
+            "{byte} is {known} in the dialects {others}, but not an opcode of {dialect} firmware", _USE_AN_OPCODE
+        ),
+        "unreleased": Words("{byte} is {known}, which is documented but not implemented by any firmware", "{note}"),
     },
 )
 AFTER_END = _code(
@@ -252,6 +317,10 @@ AFTER_END = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:02:0A:82:1B:01"),
     _sized("2A:00|80|00:00|82:1B:02:82:1B:01"),
+    words=Words(
+        "{bytes} follow the OBJECT_END at offset {end}, so the firmware refuses the command",
+        "omit the OBJECT_END, or what follows it",
+    ),
 )
 CUT_OFF = _code(
     "E203",
@@ -265,6 +334,12 @@ CUT_OFF = _code(
     """,
     _sized("2A:00|80|00:00|94:01:01:82:B8:01"),
     TONE,
+    words={
+        "": Words("{owner}: {reason}", "add the missing bytes"),
+        "count": Words(
+            "{name} says that {values} follow, but only {bytes} do", "add the missing values, or correct the count"
+        ),
+    },
 )
 FIRST_OUT_OF_RANGE = _code(
     "E204",
@@ -295,6 +370,7 @@ MISALIGNED = _code(
     """,
     _sized("2A:00|00|05:00|81:01:61"),
     VOLTAGE,
+    words=Words("{name} is {variable}, and must start at a multiple of {step}", "use a multiple of {multiple}"),
 )
 BAD_LABEL = _code(
     "E206",
@@ -322,6 +398,16 @@ SPINS = _code(
     """,
     _sized("2A:00|80|00:04|2F:40:3F:01"),
     _sized("2A:00|80|00:04|2F:40:01:01"),
+    words={
+        "": Words(
+            "{name} is {count}: the brick reads millions of values before it does anything else",
+            "use the number of values that follow, 0 or more",
+        ),
+        "unread": Words(
+            "the brick takes this for a count of values, and reads millions of them before it does anything else",
+            "use the number of values that follow, 0 or more",
+        ),
+    },
 )
 UNKNOWN_CMD = _code(
     "E208",
@@ -332,6 +418,7 @@ UNKNOWN_CMD = _code(
     """,
     _sized("2A:00|80|00:00|94:07:01"),
     _sized("2A:00|80|00:00|94:00:01"),
+    words=Words("{owner} has no CMD {value}{consequence}", _OTHER_CMD),
 )
 VARIABLE_CMD = _code(
     "E209",
@@ -342,6 +429,7 @@ VARIABLE_CMD = _code(
     """,
     _sized("2A:00|80|00:04|94:41:01:82:B8:01:82:E8:03"),
     TONE,
+    words=Words("{reason}", _OTHER_CMD),
 )
 UNDEFINED_FORM = _code(
     "E210",
@@ -353,6 +441,10 @@ UNDEFINED_FORM = _code(
     """,
     _sized("2A:00|80|00:00|A3:00:01:85"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
+    words=Words(
+        "undefined identification byte 0x{byte:02X} for {name} of {owner}",
+        "encode the argument as LC0, LC1, LC2, LC4, LCS or a variable",
+    ),
 )
 BAD_COUNT = _code(
     "E211",
@@ -364,6 +456,7 @@ BAD_COUNT = _code(
     """,
     _sized("2A:00|80|00:14|2F:44:40:01"),
     _sized("2A:00|80|00:04|2F:40:01:01"),
+    words=Words("{name} is {value}{consequence}", "use the number of values that follow, as a constant"),
 )
 NEWER = _code(
     "E212",
@@ -374,6 +467,7 @@ NEWER = _code(
     """,
     _sized("2A:00|00|10:00|81:1D:60:64:68:6C"),
     VOLTAGE,
+    words=Words(f"{_MISREAD}: it refuses the command at offset {{at}}", "send it to bricks with newer firmware only"),
 )
 FAILS = _code(
     "W202",
@@ -385,6 +479,7 @@ FAILS = _code(
     """,
     _sized("2A:00|00|00:00|D1:01:00:00:00"),
     _sized("2A:00|00|00:00|01"),
+    words=Words("{owner} ends the command with an error on every brick: {reason}", "omit it"),
 )
 NEWER_ACCEPTED = _code(
     "W201",
@@ -395,6 +490,7 @@ NEWER_ACCEPTED = _code(
     """,
     _sized("2A:00|80|00:00|82:12:01"),
     _sized("2A:00|80|00:00|82:1B:01"),
+    words=Words(_MISREAD, "send it to bricks with newer firmware only"),
 )
 
 # 3: values
@@ -599,6 +695,7 @@ BEYOND_LOCALS = _code(
     """,
     _sized("2A:00|80|00:00|85:82:E8:03:40:86:40"),
     _sized("2A:00|80|00:10|85:82:E8:03:40:86:40"),
+    words=_BEYOND,
 )
 BEYOND_GLOBALS = _code(
     "E402",
@@ -610,6 +707,7 @@ BEYOND_GLOBALS = _code(
     """,
     _sized("2A:00|00|00:00|81:01:60"),
     VOLTAGE,
+    words=_BEYOND,
 )
 OVERLAP = _code(
     "W401",
@@ -620,6 +718,10 @@ OVERLAP = _code(
     """,
     _sized("2A:00|00|08:00|81:12:60|81:01:64|81:12:65"),
     _sized("2A:00|00|08:00|81:12:60|81:01:64|81:12:61"),
+    words=Words(
+        "{name} takes {bytes}, and {first} takes {others}: the later one destroys the other",
+        "store them in variables that do not overlap",
+    ),
 )
 OVERWRITTEN = _code(
     "W402",
@@ -630,6 +732,10 @@ OVERWRITTEN = _code(
     """,
     _sized("2A:00|00|04:00|81:01:60|81:02:60"),
     _sized("2A:00|00|08:00|81:01:60|81:02:64"),
+    words=Words(
+        "{name} is stored in {variable}, like {first} before: the reply has only the last",
+        "store them in different variables",
+    ),
 )
 UNWANTED_GLOBALS = _code(
     "W403",
@@ -640,6 +746,10 @@ UNWANTED_GLOBALS = _code(
     """,
     _sized("2A:00|80|04:00|82:1B:01"),
     _sized("2A:00|80|00:00|82:1B:01"),
+    words=Words(
+        "the header requests {asked} of global memory, which no operation uses and no reply carries",
+        f"request none, or use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
+    ),
 )
 NO_REPLY = _code(
     "W404",
@@ -652,6 +762,10 @@ NO_REPLY = _code(
     """,
     _sized("2A:00|80|04:00|81:01:60"),
     VOLTAGE,
+    words=Words(
+        "{storing} stores {result} in {variable}, which only a reply carries, but the type does not ask for one",
+        f"use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
+    ),
 )
 UNWRITTEN = _code(
     "W406",
@@ -662,6 +776,7 @@ UNWRITTEN = _code(
     """,
     _sized("2A:00|00|04:04|D3:01:40:60"),
     _sized("2A:00|00|04:04|30:02:40|D3:01:40:60"),
+    words=Words("no operation writes {variable}, so {name} is {value}", "use {legal}, or write the variable first"),
 )
 UNALIGNED = _code(
     "W405",
@@ -673,6 +788,10 @@ UNALIGNED = _code(
     """,
     _sized("2A:00|00|05:00|99:1D:00:00:00:3F:01:61"),
     _sized("2A:00|00|04:00|99:1D:00:00:00:3F:01:60"),
+    words=Words(
+        "{name} is {variable}, and must start at a multiple of {step}, though the firmware does not check it here",
+        "use a multiple of {multiple}",
+    ),
 )
 RESULT_IN_LOCAL = _code(
     "W407",
@@ -684,12 +803,10 @@ RESULT_IN_LOCAL = _code(
     """,
     _sized("2A:00|00|04:10|81:01:40"),
     VOLTAGE,
-    words={
-        LOCAL: Words(
-            "{name} goes to {variable}, a local variable; a reply carries only global memory",
-            "use {other}, and request {bytes} of global memory",
-        )
-    },
+    words=Words(
+        "{name} goes to {variable}, a local variable; a reply carries only global memory",
+        "use {other}, and request {bytes} of global memory",
+    ),
 )
 UNUSED_MEMORY = _code(
     "H401",
@@ -700,6 +817,7 @@ UNUSED_MEMORY = _code(
     """,
     _sized("2A:00|00|20:00|81:01:60"),
     VOLTAGE,
+    words=Words("the header requests {asked} of {scope} memory, but {share} used", "request {end}"),
 )
 
 PARTLY_WRITTEN = _code(
@@ -712,6 +830,10 @@ PARTLY_WRITTEN = _code(
     """,
     _sized("2A:00|00|04:00|9A:00:00:00:3F:60"),
     _sized("2A:00|00|04:00|9D:00:00:00:3F:60"),
+    words=Words(
+        "{owner} writes one byte; bytes {first} to {last} of the reply are written by no operation",
+        "use {larger} for a float, or read one byte",
+    ),
 )
 
 # 5: texts and arrays
@@ -726,11 +848,11 @@ ARRAY_TOO_SHORT = _code(
     _sized("2A:00|80|00:00|9F:00:00:08:84:41:42:00"),
     _sized("2A:00|80|00:00|9F:00:00:02:84:41:42:00"),
     words={
-        ONE_NUMBER: Words(
+        "number": Words(
             "{length} says that {name} has {stated}, but it is a single number",
             "write the bytes as a text, or a variable that holds them",
         ),
-        FEWER_BYTES: Words(
+        "bytes": Words(
             "{length} says that {name} has {stated}, but it has {present}, including its zero",
             "{count}add the missing bytes, up to {stated}",
         ),
@@ -763,6 +885,20 @@ NO_HANDLE = _code(
     """,
     _sized("2A:00|00|00:00|C0:07:01"),
     _sized("2A:00|00|08:00|C0:01:84:61:00:64:60:C0:07:64"),
+    words={
+        Role.FILE: Words(
+            "no operation before {owner} opens a file: handles end with their command",
+            "open the file in the same command, and use the handle that it gives",
+        ),
+        Role.ARRAY: Words(
+            "no operation before {owner} creates an array: handles end with their command",
+            "create the array in the same command, and use the handle that it gives",
+        ),
+        "number": Words(
+            "{name} is {number}, but the command has only the handle{handles}",
+            "use the variable in which the handle was stored",
+        ),
+    },
 )
 REFUSED_LETTER = _code(
     "W503",
@@ -773,6 +909,7 @@ REFUSED_LETTER = _code(
     """,
     _sized("2A:00|00|00:00|D4:08:84:41:20:42:00"),
     _sized("2A:00|00|00:00|D4:08:84:41:5F:42:00"),
+    words=Words("{name} contains {letter!r}, which the firmware refuses", "use letters, digits, _ and -"),
 )
 REST_UNUSED = _code(
     "W501",
@@ -782,9 +919,7 @@ REST_UNUSED = _code(
     """,
     _sized("2A:00|80|00:00|9F:00:00:01:84:41:42:00"),
     _sized("2A:00|80|00:00|9F:00:00:02:84:41:42:00"),
-    words={
-        MORE_BYTES: Words("{length} says that {name} has {stated}, but it has {present}", "{count}omit the last {rest}")
-    },
+    words=Words("{length} says that {name} has {stated}, but it has {present}", "{count}omit the last {rest}"),
 )
 
 # 6: the way through the code
@@ -799,6 +934,12 @@ JUMP_OUT = _code(
     """,
     _sized("2A:00|80|01:00|41:60:05:01"),
     _sized("2A:00|80|01:00|41:60:01:01"),
+    words=Words(
+        f"{{name}} is {{value}}, which leads to offset {{target}}, but the operations are at {COMMAND_HEADER_SIZE} to"
+        " {last}",
+        "use {start} to jump to the first operation, or {end} to jump to the end, counted from the end of the"
+        " jump{form}",
+    ),
 )
 JUMP_INTO = _code(
     "E602",
@@ -809,6 +950,10 @@ JUMP_INTO = _code(
     """,
     _sized("2A:00|80|01:00|41:60:01:82:1B:01"),
     _sized("2A:00|80|01:00|41:60:03:82:1B:01"),
+    words=Words(
+        "{name} is {value}, which leads to offset {target}, into the middle of {inside}",
+        "use {start} to run {inside}, or {end} to skip it{form}",
+    ),
 )
 NO_SUCH_LABEL = _code(
     "E603",
@@ -819,6 +964,10 @@ NO_SUCH_LABEL = _code(
     """,
     _sized("2A:00|80|01:00|41:60:A0:01:01"),
     _sized("2A:00|80|01:00|41:60:A0:01:01:0D:01"),
+    words=Words(
+        "{name} names label {value}, which no LABEL sets",
+        "put LABEL {value} at the target of the jump",
+    ),
 )
 UNREACHABLE = _code(
     "W601",
@@ -828,6 +977,7 @@ UNREACHABLE = _code(
     """,
     _sized("2A:00|80|00:00|40:03:82:1B:01:01"),
     _sized("2A:00|80|01:00|41:60:03:82:1B:01:01"),
+    words=Words("{owner} never runs{others}", "omit it, or jump to it"),
 )
 ENDLESS = _code(
     "W602",
@@ -838,6 +988,10 @@ ENDLESS = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:01:40:3B"),
     _sized("2A:00|80|01:00|82:1B:01:41:60:3A"),
+    words=Words(
+        "from {owner} at offset {at} on, every path leads back: the command never ends",
+        "end the loop by a condition, or repeat the command from outside",
+    ),
 )
 FOREIGN_OBJECT = _code(
     "W603",
@@ -848,6 +1002,10 @@ FOREIGN_OBJECT = _code(
     """,
     _sized("2A:00|80|00:00|05:02"),
     _sized("2A:00|80|00:00|04:01"),
+    words=Words(
+        "{owner} acts on objects of a compiled program, but a direct command has only itself",
+        "omit it",
+    ),
 )
 JUMP_UNKNOWN = _code(
     "W604",
@@ -858,6 +1016,10 @@ JUMP_UNKNOWN = _code(
     """,
     _sized("2A:00|80|04:00|40:60"),
     _sized("2A:00|80|01:00|41:60:00"),
+    words=Words(
+        "{name} is not a constant, so the target of {owner} is unknown",
+        "jump by a constant, or by one condition per target",
+    ),
 )
 NEEDLESS_END = _code(
     "H601",
@@ -867,6 +1029,7 @@ NEEDLESS_END = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:01:0A"),
     _sized("2A:00|80|00:00|82:1B:01"),
+    words=Words("the firmware adds an OBJECT_END here itself", "omit it"),
 )
 
 # 7: sounds, drawings, moves
@@ -880,6 +1043,10 @@ SOUND_INTERRUPTED = _code(
     """,
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|94:01:01:82:4A:01:82:F4:01"),
     _sized("2A:00|80|00:00|94:01:01:82:06:01:82:F4:01|96|94:01:01:82:4A:01:82:F4:01"),
+    words=Words(
+        "{other} at offset {at} interrupts this sound as soon as it starts",
+        f"put {opcode('SOUND_READY')} after it, which waits until the sound has ended",
+    ),
 )
 NOT_SHOWN = _code(
     "W702",
@@ -890,6 +1057,10 @@ NOT_SHOWN = _code(
     """,
     _sized("2A:00|80|00:00|84:02:01:05:05"),
     _sized("2A:00|80|00:00|84:02:01:05:05:84:00"),
+    words=Words(
+        "{owner} draws on the canvas, but the canvas is not shown",
+        "put UI_DRAW.UPDATE (84:00) after the last drawing, unless a later command shows it",
+    ),
 )
 PICTURE_REPLACED = _code(
     "W703",
@@ -900,6 +1071,10 @@ PICTURE_REPLACED = _code(
     """,
     _sized("2A:00|80|00:00|84:02:01:05:05:84:00|84:01:84:00"),
     _sized("2A:00|80|00:10|84:02:01:05:05:84:00|85:1F:40:86:40|84:01:84:00"),
+    words=Words(
+        "{wiping} and {other} at offset {at} replace this picture at once",
+        "wait in between, with TIMER_WAIT and TIMER_READY",
+    ),
 )
 MOVE_INTERRUPTED = _code(
     "W704",
@@ -910,6 +1085,10 @@ MOVE_INTERRUPTED = _code(
     """,
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AE:00:01:22:00:82:68:01:00:01"),
     _sized("2A:00|80|00:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|AE:00:01:22:00:82:68:01:00:01"),
+    words=Words(
+        "{other} at offset {at} ends this move as soon as it starts",
+        f"put {opcode('OUTPUT_READY')} after it, which waits until the motors are done",
+    ),
 )
 
 SUFFIX_ADDED = _code(
@@ -921,6 +1100,7 @@ SUFFIX_ADDED = _code(
     """,
     _sized("2A:00|80|00:00|94:02:01:84:68:2E:72:73:66:00"),
     _sized("2A:00|80|00:00|94:02:01:84:68:00"),
+    words=Words("{name} ends in {suffix}, and the firmware adds {suffix} to every name", "omit it: {bare}"),
 )
 NOT_STARTED = _code(
     "H701",
@@ -933,6 +1113,10 @@ NOT_STARTED = _code(
     _sized("2A:00|80|00:00|A5:00:01:1E"),
     _sized("2A:00|80|00:00|A5:00:01:1E:A6:00:01"),
     alone=True,
+    words=Words(
+        "{owner} starts no motor: it sets what OUTPUT_START starts them with",
+        f"put {opcode('OUTPUT_START')} after it, unless the motors run already or a later command starts them",
+    ),
 )
 WRONG_KIND_OF_PORT = _code(
     "H702",
@@ -945,7 +1129,13 @@ WRONG_KIND_OF_PORT = _code(
     _sized("2A:00|00|04:00|B3:00:01:60"),
     _sized("2A:00|00|04:00|B3:00:00:60"),
     alone=True,
-    words={NO_PORTS: Words("{name} is 0, a bit mask without a port, so {owner} does nothing", "use {ports}")},
+    words={
+        NO_PORTS: Words("{name} is 0, a bit mask without a port, so {owner} does nothing", "use {ports}"),
+        "number": Words(
+            "{name} is {number}, the number of port {port}; as a bit mask it would be {other}",
+            "use {meant} if port {other} is meant: {owner} takes the number of one port",
+        ),
+    },
 )
 
 PORT_OF_NEXT_BRICK = _code(
@@ -958,6 +1148,10 @@ PORT_OF_NEXT_BRICK = _code(
     _sized("2A:00|00|04:00|9D:00:04:00:3F:60"),
     _sized("2A:00|00|04:00|9D:00:03:00:3F:60"),
     alone=True,
+    words=Words(
+        "{name} is {number}, port 1 of the next brick in a daisy chain: ports are counted from 0",
+        "use {before} if port {number} of this brick is meant",
+    ),
 )
 
 READ_AFTER_MOVE = _code(
@@ -970,6 +1164,11 @@ READ_AFTER_MOVE = _code(
     """,
     _sized("2A:00|00|08:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|A8:00:00:64:60"),
     _sized("2A:00|00|04:00|AE:00:01:1E:00:82:68:01:00:01|AA:00:01|B3:00:00:60"),
+    words=Words(
+        "{move} at offset {at} takes its angle off this count: after the move it is about 0, or how far the motor ran"
+        " on",
+        f"use {opcode('OUTPUT_GET_COUNT')} for the angle that the motor has turned",
+    ),
 )
 OTHER_DRIVE = _code(
     "H705",
@@ -981,6 +1180,10 @@ OTHER_DRIVE = _code(
     """,
     _sized("2A:00|80|00:00|A4:00:01:1E|A6:00:01|A5:00:01:0A"),
     _sized("2A:00|80|00:00|A5:00:01:1E|A6:00:01|A5:00:01:0A"),
+    words=Words(
+        "the motor runs by {other} at offset {at}, which {owner} does not change",
+        f"use {{opcode}}, or {opcode('OUTPUT_STOP')} before, and {opcode('OUTPUT_START')} after it",
+    ),
 )
 MAY_WAIT_FOREVER = _code(
     "H706",
@@ -991,6 +1194,10 @@ MAY_WAIT_FOREVER = _code(
     """,
     _sized("2A:00|80|00:00|94:02:1E:84:2E:2E:2F:70:72:6A:73:2F:78:00|96"),
     _sized("2A:00|80|00:00|94:02:1E:84:2E:2F:75:69:2F:43:6C:69:63:6B:00|96"),
+    words=Words(
+        "{owner} never ends if {file!r} is missing on the brick",
+        "make sure that the file is there, or leave the wait out",
+    ),
 )
 NOT_TWO_MOTORS = _code(
     "H707",
@@ -1001,12 +1208,10 @@ NOT_TWO_MOTORS = _code(
     """,
     _sized("2A:00|80|00:00|B0:00:01:1E:00:82:68:01:01"),
     _sized("2A:00|80|00:00|B0:00:03:1E:00:82:68:01:01"),
-    words={
-        SYNCHRONIZED: Words(
-            "{owner} synchronizes two motors, but {name} has {count}: what that does is unknown",
-            "name two motors, such as 6 for B and C",
-        )
-    },
+    words=Words(
+        "{owner} synchronizes two motors, but {name} has {count}: what that does is unknown",
+        "name two motors, such as 6 for B and C",
+    ),
 )
 
 _GUI = "slot 0 is that of the brick's own menu (GUI_SLOT)"
@@ -1029,7 +1234,6 @@ SLOT_OF_MENU = _code(
         "PROGRAM_START": Words(f"{_GUI}, which runs: nothing is started", "use 1, the slot of the user's program"),
     },
 )
-LOADED, NOT_LOADED = "LOADED", "NOT_LOADED"
 OTHER_SLOT = _code(
     "W707",
     "a program started in another slot",
@@ -1039,11 +1243,9 @@ OTHER_SLOT = _code(
     """,
     _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:02:40:44:00"),
     _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:40:44:00"),
-    words={
-        LOADED: Words(
-            "the program was loaded into slot {loaded}, and is started in slot {slot}", "start it in slot {loaded}"
-        )
-    },
+    words=Words(
+        "the program was loaded into slot {loaded}, and is started in slot {slot}", "start it in slot {loaded}"
+    ),
 )
 STARTED_UNLOADED = _code(
     "W708",
@@ -1055,12 +1257,10 @@ STARTED_UNLOADED = _code(
     """,
     _sized("2A:00|80|00:00|03:01:00:00:00"),
     _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:40:44:00"),
-    words={
-        NOT_LOADED: Words(
-            "{name} is 0: no program was loaded, so nothing is started",
-            "put FILE.LOAD_IMAGE before it, and use the variables in which it stores SIZE and {name}",
-        )
-    },
+    words=Words(
+        "{name} is 0: no program was loaded, so nothing is started",
+        "put FILE.LOAD_IMAGE before it, and use the variables in which it stores SIZE and {name}",
+    ),
 )
 
 # 8: system messages, and messages between bricks
@@ -1074,6 +1274,10 @@ UNKNOWN_SYSTEM = _code(
     """,
     _frame("04:00|2A:00|01|42"),
     _frame("04:00|2A:00|01|9D"),
+    words={
+        "": Words("unknown system command 0x{number:02X}", "use {known}"),
+        "cut off": Words("the frame ends before the number of the system command", "add the number"),
+    },
 )
 WRONG_FIELDS = _code(
     "E802",
@@ -1085,6 +1289,7 @@ WRONG_FIELDS = _code(
     """,
     _frame("06:00|2A:00|01|95:00:10"),
     _frame("07:00|2A:00|01|95:00:10:00"),
+    words=Words("{owner}: {reason}", "fields of the command: {expected}"),
 )
 REFUSED_PATH = _code(
     "E803",
@@ -1096,6 +1301,10 @@ REFUSED_PATH = _code(
     """,
     _sized("2A:00|01|92:01:00:00:00:" + "".join(f"{byte:02X}:" for byte in b"../prjs/x/program.script") + "00"),
     _sized("2A:00|01|92:01:00:00:00:" + "".join(f"{byte:02X}:" for byte in b"../prjs/x/program.rbf") + "00"),
+    words={
+        "": Words("the {part} has {characters}; the firmware accepts at most {most}", "shorten {what} by {over}"),
+        "empty": Words("the path of {owner} is empty", "name a file or folder"),
+    },
 )
 FIELD_TOO_LONG = _code(
     "E804",
@@ -1105,6 +1314,7 @@ FIELD_TOO_LONG = _code(
     """,
     _sized("2A:00|01|A2:" + "41:" * 11 + "00"),
     _sized("2A:00|01|A2:" + "41:" * 10 + "00"),
+    words=Words("{name} has {bytes}, but the firmware has room for only {most}", "shorten it by {over}"),
 )
 WRONG_CARRIER = _code(
     "E805",
@@ -1116,6 +1326,7 @@ WRONG_CARRIER = _code(
     _frame("04:00|2A:00|01|F6"),
     _frame("04:00|2A:00|01|9D"),
     "wifi",
+    words=Words("{owner} reaches the brick only by USB, not by {carrier}", "send it by USB"),
 )
 UNKNOWN_DAISY = _code(
     "E806",
@@ -1125,6 +1336,10 @@ UNKNOWN_DAISY = _code(
     """,
     _frame("06:00|2A:00|0A|42:00:01"),
     _frame("06:00|2A:00|0A|A2:00:01"),
+    words=Words(
+        "{reason}",
+        f"use a sub-command, 0x{min(DaisySubCommand):02X} to 0x{max(DaisySubCommand):02X}, and two layers",
+    ),
 )
 NEVER_ANSWERED = _code(
     "W801",
@@ -1135,6 +1350,10 @@ NEVER_ANSWERED = _code(
     """,
     _frame("04:00|2A:00|01|A0"),
     _frame("04:00|2A:00|81|A0"),
+    words=Words(
+        "the type asks for a reply, but the brick never replies to {owner}",
+        f"use type 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X}, and do not wait",
+    ),
 )
 ANSWER_NEEDED = _code(
     "W802",
@@ -1145,6 +1364,10 @@ ANSWER_NEEDED = _code(
     """,
     _frame("04:00|2A:00|81|9D"),
     _frame("04:00|2A:00|01|9D"),
+    words=Words(
+        "the type does not ask for a reply, but the reply to {owner} has {content}",
+        f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
+    ),
 )
 LONG_DAISY = _code(
     "W803",
@@ -1154,6 +1377,10 @@ LONG_DAISY = _code(
     """,
     _sized("2A:00|8A|A0:00:01|" + "01:" * 56 + "01"),
     _sized("2A:00|8A|A0:00:01|" + "01:" * 55 + "01"),
+    words=Words(
+        f"the frame has {{size}} bytes, but a report between bricks carries {REPORT_SIZES[0]}",
+        "send less data per frame",
+    ),
 )
 MAILBOX_TOO_SMALL = _code(
     "W804",
@@ -1185,6 +1412,10 @@ TEXT_WITHOUT_ZERO = _code(
     """,
     _sized("2A:00|81|9E:02:61:00:02:00:68:69"),
     _sized("2A:00|81|9E:02:61:00:03:00:68:69:00"),
+    words=Words(
+        "the message looks like a text without a zero at its end",
+        "add a zero, and count it in the length of the message",
+    ),
 )
 
 NUMBER_OF_ANOTHER_TYPE = _code(
@@ -1196,6 +1427,10 @@ NUMBER_OF_ANOTHER_TYPE = _code(
     """,
     _sized("2A:00|81|9E:04:61:62:63:00:04:00:0A:00:00:00"),
     _sized("2A:00|81|9E:04:61:62:63:00:04:00:00:00:20:41"),
+    words=Words(
+        "the message is {value:g} as {kind}; a program reads a number as a float of 4 bytes, little-endian",
+        "send {bytes} for {value:g}",
+    ),
 )
 FILE_TOO_LARGE = _code(
     "W807",
@@ -1206,6 +1441,10 @@ FILE_TOO_LARGE = _code(
     """,
     _sized("2A:00|01|92:00:00:04:D2:61:2E:72:62:66:00"),
     _sized("2A:00|01|92:D2:04:00:00:61:2E:72:62:66:00"),
+    words=Words(
+        f"{{name}} is {{value}}, but the flash memory of a brick has {FLASH_SIZE} bytes",
+        "send the size of the file, the low byte first",
+    ),
 )
 
 # 9: encodings
@@ -1221,7 +1460,7 @@ LONGER_FORM = _code(
     """,
     _sized("2A:00|80|00:00|94:01:81:05:82:B8:01:82:E8:03"),
     _sized("2A:00|80|00:00|94:01:05:82:B8:01:82:E8:03"),
-    words={LONGER: Words("{name} is {encoding}, but its value fits {bytes}", "write it as {shorter}{aside}")},
+    words=Words("{name} is {encoding}, but its value fits {bytes}", "write it as {shorter}{aside}"),
 )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ev3proto.checking.codes import FindingCode
@@ -52,20 +51,15 @@ class CheckedOperation:
             return None
         return [(layer, port) for port in MOTOR_LETTERS if port == number or (mask is not None and mask & 1 << port)]
 
-    def finding(self, code: FindingCode, message: str, help_: str) -> Finding:
-        """Returns a finding about the whole operation."""
-        return code.finding(self.start, self.end - self.start, message, help_, self.name)
-
-    def finding_at(self, code: FindingCode, argument: Argument, message: str, help_: str) -> Finding:
-        """Returns a finding about one of its arguments."""
-        return code.finding(argument.offset, argument.length, message, help_, self.name, argument.name)
+    def finding(self, code: FindingCode, key: Wrong | Role | str = "", /, **parts: object) -> Finding:
+        """Returns a finding about the whole operation, in the words of the code."""
+        return code.at(self.start, self.end - self.start, key, owner=self.name, **parts)
 
     def finding_of(
-        self, code: FindingCode, key: Wrong | str, argument: Argument, parts: Mapping[str, object]
+        self, code: FindingCode, argument: Argument, key: Wrong | Role | str = "", /, **parts: object
     ) -> Finding:
-        """Returns a finding about one of its arguments, in the words of the code; `name` is that of the argument."""
-        message, help_ = (words.format(name=argument.name, **parts) for words in code.words[key])
-        return self.finding_at(code, argument, message, help_)
+        """Returns a finding about one of its arguments, in the words of the code."""
+        return code.at(argument.offset, argument.length, key, owner=self.name, name=argument.name, **parts)
 
 
 def checked_operations(operations: tuple[Operation, ...]) -> tuple[CheckedOperation, ...]:

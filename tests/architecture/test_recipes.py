@@ -75,6 +75,7 @@ LUCKY = _code(
     "The counter is 7, which means nothing to the brick.",
     _sized("07:00|80|00:00|01"),
     _sized("06:00|80|00:00|01"),
+    words=Words("the counter is {counter}", "use another one"),
 )
 """
 
@@ -82,7 +83,7 @@ CHECKED = """
 
 def check_luck(context: CheckContext) -> Iterator[Finding]:
     if context.message.counter == 7:
-        yield codes.LUCKY.finding(2, 2, "the counter is 7", "use another one")
+        yield codes.LUCKY.at(2, 2, counter=7)
 """
 
 FORMAT = '''"""Captures behind a lucky word."""

@@ -31,7 +31,7 @@ from ev3proto.tables.output import LETTERS, PORT_SETS
 def value_finding(operation: CheckedOperation, argument: Argument, judgement: Judgement) -> Finding:
     """Returns the finding about a constant."""
     wrong = judgement.wrong
-    return operation.finding_of(codes.OF_VALUES[wrong], wrong, argument, _parts(argument, judgement))
+    return operation.finding_of(codes.OF_VALUES[wrong], argument, wrong, **_parts(argument, judgement))
 
 
 def _parts(argument: Argument, judgement: Judgement) -> dict[str, object]:
@@ -118,7 +118,7 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
         "shorter": shorter.hex(" ").upper(),
         "aside": aside,
     }
-    return operation.finding_of(codes.LONGER_FORM, codes.LONGER, argument, parts)
+    return operation.finding_of(codes.LONGER_FORM, argument, **parts)
 
 
 def _shorter_way_back(argument: Argument, value: int) -> bytes:
@@ -143,14 +143,14 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
     parts: dict[str, object] = {"length": array.length, "stated": counted(stated, "byte"), "present": present}
     if argument.form.kind == CONSTANT:
         if stated > present:
-            yield operation.finding_of(codes.ARRAY_TOO_SHORT, codes.ONE_NUMBER, argument, parts)
+            yield operation.finding_of(codes.ARRAY_TOO_SHORT, argument, "number", **parts)
     elif stated > present:
         parts["count"] = _count(operation, array, present // one)
-        yield operation.finding_of(codes.ARRAY_TOO_SHORT, codes.FEWER_BYTES, argument, parts)
+        yield operation.finding_of(codes.ARRAY_TOO_SHORT, argument, "bytes", **parts)
     elif stated < present - 1:
         count, rest = _count(operation, array, -(-(present - 1) // one)), counted(present - 1 - stated, "byte")
         parts |= {"present": present - 1, "count": count, "rest": rest}
-        yield operation.finding_of(codes.REST_UNUSED, codes.MORE_BYTES, argument, parts)
+        yield operation.finding_of(codes.REST_UNUSED, argument, **parts)
 
 
 def _count(operation: CheckedOperation, array: InlineArray, count: int) -> str:

@@ -49,12 +49,7 @@ def _reads_after_moves(operations: list[tuple[CheckedOperation, list[MotorAt] | 
             moved.update(dict.fromkeys(ports or (), operation))
         elif operation.name == "OUTPUT_READ":
             for move in [moved[port] for port in ports or () if port in moved]:
-                yield operation.finding(
-                    codes.READ_AFTER_MOVE,
-                    f"{move.name} at offset {move.start} takes its angle off this count: after the move it is about 0,"
-                    " or how far the motor ran on",
-                    f"use {codes.opcode('OUTPUT_GET_COUNT')} for the angle that the motor has turned",
-                )
+                yield operation.finding(codes.READ_AFTER_MOVE, move=move.name, at=move.start)
         elif _drives(operation):
             _forget(moved, ports)
 
@@ -71,12 +66,8 @@ def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]
         if operation.name in _DRIVES:
             others = [running[port] for port in ports or () if port in running and running[port].name != operation.name]
             for other in others[:1]:
-                yield operation.finding(
-                    codes.OTHER_DRIVE,
-                    f"the motor runs by {other.name} at offset {other.start}, which {operation.name} does not change",
-                    f"use {codes.opcode(other.name)}, or {codes.opcode('OUTPUT_STOP')} before, and"
-                    f" {codes.opcode('OUTPUT_START')} after it",
-                )
+                parts = {"other": other.name, "at": other.start, "opcode": codes.opcode(other.name)}
+                yield operation.finding(codes.OTHER_DRIVE, **parts)
             chosen.update({port: operation for port in ports or () if port not in running})
         elif operation.has(Effect.STARTS_MOTORS):
             running.update({port: chosen[port] for port in ports or () if port in chosen and port not in running})
@@ -96,11 +87,7 @@ def _waits_for_files(operations: tuple[CheckedOperation, ...]) -> Iterator[Findi
         elif operation.has(Effect.AWAITS_SOUND) and file is not None:
             name = file.decode("latin-1") if isinstance(file, bytes) else file
             if not name.startswith(OWN_FOLDERS):
-                yield operation.finding(
-                    codes.MAY_WAIT_FOREVER,
-                    f"{operation.name} never ends if {name!r} is missing on the brick",
-                    "make sure that the file is there, or leave the wait out",
-                )
+                yield operation.finding(codes.MAY_WAIT_FOREVER, file=name)
             file = None
 
 
@@ -116,10 +103,5 @@ def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footpr
         if larger is None or not place.facts.is_written or place.size != 1 or place.start % _FLOAT:
             continue
         if end <= message.global_size and not taken.has_some_of(place.start + 1, end):
-            yield operation.finding_at(
-                codes.PARTLY_WRITTEN,
-                place.argument,
-                f"{operation.name} writes one byte; bytes {place.start + 1} to {end - 1} of the reply are written by no"
-                " operation",
-                f"use {larger} for a float, or read one byte",
-            )
+            parts = {"first": place.start + 1, "last": end - 1, "larger": larger}
+            yield operation.finding_of(codes.PARTLY_WRITTEN, place.argument, **parts)

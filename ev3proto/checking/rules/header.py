@@ -15,9 +15,9 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import NOTHING, foreign
-from ev3proto.tables import daisy, mailboxes, paths
+from ev3proto.tables import mailboxes, paths
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES, MessageType
+from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES
 from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 
 TYPE_OFFSET = HEADER_SIZE - 1
@@ -29,68 +29,35 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
     frame = context.frame
     size = len(frame)
     if size < HEADER_SIZE:
-        yield codes.TOO_SHORT.finding(
-            0,
-            size,
-            f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {size}",
-            "start at the length field and include the whole frame",
-        )
+        yield codes.TOO_SHORT.at(0, size, size=size)
         return
     is_wrong = context.is_length_wrong or context.fault is not None or context.message.type is None
     found = foreign(frame, frame_reader(context.dialect)) if is_wrong else NOTHING
     if (said := advice(found)) is not None:
-        yield codes.NOT_A_FRAME.finding(0, size, said, "send a frame; `ops` lists the operations")
+        yield codes.NOT_A_FRAME.at(0, size, said=said)
         return
     yield from _length(frame, size, context)
     if context.message.type is None:
-        yield codes.UNKNOWN_TYPE.finding(
-            TYPE_OFFSET,
-            1,
-            f"unknown message type 0x{frame[TYPE_OFFSET]:02X}",
-            f"use 0x{MessageType.DIRECT_COMMAND_REPLY:02X} for a direct command with a reply,"
-            f" 0x{MessageType.DIRECT_COMMAND_NO_REPLY:02X} for one without,"
-            f" 0x{MessageType.SYSTEM_COMMAND_REPLY:02X} or 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X} for a system"
-            " command",
-        )
+        yield codes.UNKNOWN_TYPE.at(TYPE_OFFSET, 1, type=frame[TYPE_OFFSET])
     elif not context.message.type.is_command:
-        yield codes.NO_COMMAND.finding(
-            TYPE_OFFSET,
-            1,
-            f"{context.message.type.name} is a message from the brick, not to it",
-            "check the command that it answers",
-        )
+        yield codes.NO_COMMAND.at(TYPE_OFFSET, 1, type=context.message.type.name)
 
 
 def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
     stated, follow = frame_size(frame) - LENGTH_FIELD, size - LENGTH_FIELD
     most = context.most
-    says = f"the length field says that {counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'} it, but"
+    parts = {"stated": f"{counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'}", "follow": follow}
     if size > most and (stated == follow or stated + LENGTH_FIELD > most):
-        yield codes.TOO_LONG.finding(
-            most,
-            size - most,
-            f"a frame has at most {most} bytes{' on USB' if may_be_long(frame) else ''}, this one has {size}",
-            "send it in several frames",
-        )
+        yield codes.TOO_LONG.at(most, size - most, most=most, on=" on USB" if may_be_long(frame) else "", size=size)
     elif stated > follow:
-        yield codes.INCOMPLETE.finding(
-            0,
-            LENGTH_FIELD,
-            f"{says} there are {follow}",
-            f"set the length to {follow}, or add the {counted(stated - follow, 'missing byte')}",
-        )
+        yield codes.INCOMPLETE.at(0, LENGTH_FIELD, missing=counted(stated - follow, "missing byte"), **parts)
     elif context.is_padded and context.carrier in (None, "usb"):
         end = context.end
-        yield codes.PADDING.finding(
-            end,
-            size - end,
-            f"the frame ends here; {counted(size - end, 'zero')} pad it to a USB report",
-            "omit them, except on USB",
-        )
+        yield codes.PADDING.at(end, size - end, zeros=counted(size - end, "zero"))
     elif stated < follow:
         omit = f", or omit the last {counted(follow - stated, 'byte')}" if stated > MIN_LENGTH else ""
-        length = f"set the length to {follow}" if size <= most else f"use a length of at most {most - LENGTH_FIELD}"
-        yield codes.LEFT_OVER.finding(0, LENGTH_FIELD, f"{says} there are {follow}", f"{length}{omit}")
+        key = "" if size <= most else "too long"
+        yield codes.LEFT_OVER.at(0, LENGTH_FIELD, key, most=most - LENGTH_FIELD, omit=omit, **parts)
 
 
 def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
@@ -98,33 +65,13 @@ def check_command_header(context: CheckContext, command: DirectCommand) -> Itera
     reason = context.verdict.reason
     if reason is Reason.EMPTY or context.end < COMMAND_HEADER_SIZE:
         if not context.is_length_wrong:
-            yield codes.EMPTY.finding(
-                context.end,
-                0,
-                "the command has no operation"
-                if context.end == COMMAND_HEADER_SIZE
-                else "the command ends before the two bytes that request memory",
-                f"add at least one operation; {codes.opcode('NOP')} does nothing"
-                if context.end == COMMAND_HEADER_SIZE
-                else "add two bytes that request memory, 0 for none, and then at least one operation;"
-                f" {codes.opcode('NOP')} does nothing",
-            )
+            yield codes.EMPTY.at(context.end, 0, "" if context.end == COMMAND_HEADER_SIZE else "no memory")
         return
     asked = command.global_size
     if asked > GRANTED_GLOBALS:
-        yield codes.REFUSED_MEMORY.finding(
-            HEADER_SIZE,
-            MEMORY_SIZE,
-            f"the header requests {asked} bytes of global memory, but the firmware grants at most {GRANTED_GLOBALS}",
-            f"request at most {MOST_IN_REPLY} bytes, which fit into a reply",
-        )
+        yield codes.REFUSED_MEMORY.at(HEADER_SIZE, MEMORY_SIZE, asked=asked)
     elif asked > MOST_IN_REPLY:
-        yield codes.LONG_REPLY.finding(
-            HEADER_SIZE,
-            MEMORY_SIZE,
-            f"the header requests {asked} bytes of global memory, but a reply carries {MOST_IN_REPLY}",
-            f"request at most {MOST_IN_REPLY} bytes",
-        )
+        yield codes.LONG_REPLY.at(HEADER_SIZE, MEMORY_SIZE, asked=asked)
 
 
 _USB = "usb"
@@ -144,13 +91,7 @@ def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Find
             yield _unknown(context)
         return
     if context.carrier not in (None, _USB) and (entry.bootloader or entry.usb_only):
-        yield codes.WRONG_CARRIER.finding(
-            HEADER_SIZE,
-            1,
-            f"{entry.name} reaches the brick only by USB, not by {context.carrier}",
-            "send it by USB",
-            entry.name,
-        )
+        yield codes.WRONG_CARRIER.at(HEADER_SIZE, 1, owner=entry.name, carrier=context.carrier)
     yield from _answer(command, entry)
     if context.fault is not None:
         if not (context.is_length_wrong and context.fault.truncated):
@@ -161,21 +102,13 @@ def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Find
 
 def _unknown(context: CheckContext) -> Finding:
     if context.end <= HEADER_SIZE:
-        return codes.UNKNOWN_SYSTEM.finding(
-            context.end, 0, "the frame ends before the number of the system command", "add the number"
-        )
-    number = context.frame[HEADER_SIZE]
+        return codes.UNKNOWN_SYSTEM.at(context.end, 0, "cut off")
     known = [
         entry.number
         for entry in SYSTEM_BY_NUMBER.values()
         if not entry.bootloader and not (entry.usb_only and context.carrier not in (None, _USB))
     ]
-    return codes.UNKNOWN_SYSTEM.finding(
-        HEADER_SIZE,
-        1,
-        f"unknown system command 0x{number:02X}",
-        f"use {' or '.join(_runs(known))}",
-    )
+    return codes.UNKNOWN_SYSTEM.at(HEADER_SIZE, 1, number=context.frame[HEADER_SIZE], known=" or ".join(_runs(known)))
 
 
 def _runs(numbers: list[int]) -> Iterator[str]:
@@ -190,22 +123,10 @@ def _runs(numbers: list[int]) -> Iterator[str]:
 
 def _answer(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Finding]:
     if command.wants_reply and not entry.answered:
-        yield codes.NEVER_ANSWERED.finding(
-            TYPE_OFFSET,
-            1,
-            f"the type asks for a reply, but the brick never replies to {entry.name}",
-            f"use type 0x{MessageType.SYSTEM_COMMAND_NO_REPLY:02X}, and do not wait",
-            entry.name,
-        )
+        yield codes.NEVER_ANSWERED.at(TYPE_OFFSET, 1, owner=entry.name)
     elif not command.wants_reply and _is_question(entry):
         content = "the handle for the next commands" if entry.transfer == _OPENED else "the requested contents"
-        yield codes.ANSWER_NEEDED.finding(
-            TYPE_OFFSET,
-            1,
-            f"the type does not ask for a reply, but the reply to {entry.name} has {content}",
-            f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
-            entry.name,
-        )
+        yield codes.ANSWER_NEEDED.at(TYPE_OFFSET, 1, owner=entry.name, content=content)
 
 
 def _is_question(entry: SystemDeclaration) -> bool:
@@ -219,13 +140,7 @@ def _wrong_fields(context: CheckContext, entry: SystemDeclaration) -> Finding:
     assert fault is not None
     start = min(fault.offset, context.end)
     expected = ", ".join(f"{field.name} ({field.kind.value})" for field in entry.request) or "nothing"
-    return codes.WRONG_FIELDS.finding(
-        start,
-        context.end - start,
-        f"{entry.name}: {fault.reason}",
-        f"fields of the command: {expected}",
-        entry.name,
-    )
+    return codes.WRONG_FIELDS.at(start, context.end - start, owner=entry.name, reason=fault.reason, expected=expected)
 
 
 def _fields(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Finding]:
@@ -237,23 +152,10 @@ def _fields(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Findin
             return
         size = _size(field, value)
         if isinstance(value, int) and entry.transfer == _OPENED and value > FLASH_SIZE:
-            yield codes.FILE_TOO_LARGE.finding(
-                at,
-                size,
-                f"{field.name} is {value}, but the flash memory of a brick has {FLASH_SIZE} bytes",
-                "send the size of the file, the low byte first",
-                entry.name,
-                field.name,
-            )
+            yield codes.FILE_TOO_LARGE.at(at, size, owner=entry.name, name=field.name, value=value)
         elif field.most is not None and size > field.most:
-            yield codes.FIELD_TOO_LONG.finding(
-                at,
-                size,
-                f"{field.name} has {counted(size, 'byte')}, but the firmware has room for only {field.most}",
-                f"shorten it by {size - field.most}",
-                entry.name,
-                field.name,
-            )
+            parts = {"bytes": counted(size, "byte"), "most": field.most, "over": size - field.most}
+            yield codes.FIELD_TOO_LONG.at(at, size, owner=entry.name, name=field.name, **parts)
         if field.name == _PATH and isinstance(value, str):
             yield from _path(at, value, entry)
         if field.is_message and isinstance(value, bytes):
@@ -273,71 +175,53 @@ def _size(field: SystemField, value: int | str | bytes) -> int:
 def _path(at: int, path: str, entry: SystemDeclaration) -> Iterator[Finding]:
     """Checks a path: too long for the firmware, or empty."""
     if not path and not _lists(entry):
-        yield codes.REFUSED_PATH.finding(
-            at, 1, f"the path of {entry.name} is empty", "name a file or folder", entry.name, _PATH
-        )
+        yield codes.REFUSED_PATH.at(at, 1, "empty", owner=entry.name, name=_PATH)
         return
     folder, slash, rest = path.rpartition("/")
     name, dot, extension = rest.partition(".")
     if entry.transfer != _OPENED or _lists(entry):
         # The firmware splits only the paths of files that it opens.
-        parts: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
+        limits: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
     else:
         start = len(folder + slash)
-        parts = (
+        limits = (
             ("path", path, paths.WHOLE, 0),
             ("folder", folder + slash, paths.FOLDER, 0),
             ("name", name, paths.NAME, start),
             ("extension", dot + extension, paths.EXTENSION, start + len(name)),
         )
-    excesses = [len(part) - room + 1 for _, part, room, _ in parts]
-    for (what, part, room, start), excess in zip(parts, excesses, strict=True):
+    excesses = [len(part) - room + 1 for _, part, room, _ in limits]
+    for (what, part, room, start), excess in zip(limits, excesses, strict=True):
         if excess <= 0:
             continue
         # If the folder is also too long, shortening it fixes both.
-        folder_excess = excesses[1] if what == "path" and len(parts) > 1 else 0
-        shorten = (
-            f"shorten its folder by {max(excess, folder_excess)}" if folder_excess > 0 else f"shorten it by {excess}"
-        )
-        yield codes.REFUSED_PATH.finding(
-            at + start,
-            len(part),
-            f"the {what} has {counted(len(part), 'character')}; the firmware accepts at most {room - 1}",
-            shorten,
-            entry.name,
-            _PATH,
-        )
+        folder_excess = excesses[1] if what == "path" and len(limits) > 1 else 0
+        parts = {
+            "part": what,
+            "characters": counted(len(part), "character"),
+            "most": room - 1,
+            "what": "its folder" if folder_excess > 0 else "it",
+            "over": max(excess, folder_excess),
+        }
+        yield codes.REFUSED_PATH.at(at + start, len(part), owner=entry.name, name=_PATH, **parts)
         return
 
 
 def _mailbox(at: int, payload: bytes, name: str, entry: SystemDeclaration, field: str) -> Iterator[Finding]:
     """Checks a message at an offset, to a mailbox of that name."""
-    for key, start, size, most, owner in (
+    for key, start, size, most, part in (
         (codes.MAILBOX_NAME, _NAME_OFFSET, len(name), mailboxes.MOST_NAME, _NAME),
         (codes.MAILBOX_CONTENT, at, len(payload), mailboxes.MOST_CONTENT, field),
     ):
         if size > most:
-            message, help_ = codes.MAILBOX_TOO_SMALL.words[key]
-            yield codes.MAILBOX_TOO_SMALL.finding(start, size, message.format(size=size), help_, entry.name, owner)
+            yield codes.MAILBOX_TOO_SMALL.at(start, size, key, owner=entry.name, name=part, size=size)
     if mailboxes.lacks_zero(payload):
-        yield codes.TEXT_WITHOUT_ZERO.finding(
-            at,
-            len(payload),
-            "the message looks like a text without a zero at its end",
-            "add a zero, and count it in the length of the message",
-            entry.name,
-            field,
-        )
+        yield codes.TEXT_WITHOUT_ZERO.at(at, len(payload), owner=entry.name, name=field)
     elif other := mailboxes.number_of_another_type(payload):
         kind, value = other
-        yield codes.NUMBER_OF_ANOTHER_TYPE.finding(
-            at,
-            len(payload),
-            f"the message is {value:g} as {kind}; a program reads a number as a float of 4 bytes, little-endian",
-            f"send {mailboxes.message_of(float(value)).hex(' ').upper()} for {value:g}",
-            entry.name,
-            field,
-        )
+        right = mailboxes.message_of(float(value)).hex(" ").upper()
+        parts = {"kind": kind, "value": value, "bytes": right}
+        yield codes.NUMBER_OF_ANOTHER_TYPE.at(at, len(payload), owner=entry.name, name=field, **parts)
 
 
 def _lists(entry: SystemDeclaration) -> bool:
@@ -345,23 +229,12 @@ def _lists(entry: SystemDeclaration) -> bool:
     return any(field.kind is FieldKind.LISTING for field in entry.reply)
 
 
-_DAISY = f"0x{min(daisy.DaisySubCommand):02X} to 0x{max(daisy.DaisySubCommand):02X}"
-
-
 def check_daisy(context: CheckContext, command: DaisyCommand) -> Iterator[Finding]:
     """Checks a message between bricks."""
     fault = context.fault
     if fault is not None and not (context.is_length_wrong and fault.truncated):
         start = min(fault.offset, context.end)
-        yield codes.UNKNOWN_DAISY.finding(
-            start, min(1, context.end - start), fault.reason, f"use a sub-command, {_DAISY}, and two layers"
-        )
+        yield codes.UNKNOWN_DAISY.at(start, min(1, context.end - start), reason=fault.reason)
     most = REPORT_SIZES[0]
     if context.end > most:
-        yield codes.LONG_DAISY.finding(
-            most,
-            context.end - most,
-            f"the frame has {context.end} bytes, but a report between bricks carries {most}",
-            "send less data per frame",
-            command.command,
-        )
+        yield codes.LONG_DAISY.at(most, context.end - most, owner=command.command, size=context.end)

@@ -16,7 +16,7 @@ from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed
 from ev3proto.semantics.judgement import judge
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, Encoding
-from ev3proto.tables.frame import MAX_FRAME, MessageType
+from ev3proto.tables.frame import MAX_FRAME
 
 _LARGEST = 4
 """Bytes of the largest value; requested sizes are often rounded up to its multiples."""
@@ -59,12 +59,8 @@ def _unwritten(used: list[Use], asked: int) -> Iterator[Finding]:
         if is_legal or is_beyond or place.facts.is_written or written.has_some_of(place.start, place.end):
             continue
         value, legal = ("an empty text", "a text") if domain is None else ("always 0", domain.choice)
-        yield operation.finding_at(
-            codes.UNWRITTEN,
-            place.argument,
-            f"no operation writes {place.variable}, so {place.argument.name} is {value}",
-            f"use {legal}, or write the variable first",
-        )
+        parts = {"variable": place.variable, "value": value, "legal": legal}
+        yield operation.finding_of(codes.UNWRITTEN, place.argument, **parts)
 
 
 _Identity = tuple[str, int, Encoding, int, int, int | None]
@@ -100,32 +96,27 @@ def _furthest(place: Footprint) -> int:
 def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
     """Yields what is wrong with the place of a variable."""
     operation, place = use
-    name, start, end = place.argument.name, place.start, place.end
+    start, end = place.start, place.end
     multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
     if start % multiple:
         is_refused = start % place.facts.validator_alignment != 0
         step = place.facts.validator_alignment if is_refused else multiple
-        aside = "" if is_refused else ", though the firmware does not check it here"
         variable = Variable(GLOBAL if place.is_global else LOCAL, start)
-        yield operation.finding_at(
-            codes.MISALIGNED if is_refused else codes.UNALIGNED,
-            place.argument,
-            f"{name} is {variable}, and must start at a multiple of {step}{aside}",
-            f"use a multiple of {multiple}",
-        )
+        code = codes.MISALIGNED if is_refused else codes.UNALIGNED
+        yield operation.finding_of(code, place.argument, variable=variable, step=step, multiple=multiple)
     if end > asked:
         scope, room = GLOBAL if place.is_global else LOCAL, start + place.reserved
         most = MEMORY_LIMITS[scope]
-        taken = f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}"
-        has = f"{counted(asked, 'byte')} of" if asked else "no"
         more = f"request {counted(room, 'byte')} of {scope} memory, or " if room <= most else ""
-        limit = "" if more else f"; {scope} memory has at most {counted(most, 'byte')}"
-        yield operation.finding_at(
-            codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS,
-            place.argument,
-            f"{name} takes {taken} of {scope} memory, but the header requests {has} {scope} memory",
-            f"{more}use a lower index{limit}",
-        )
+        parts = {
+            "bytes": f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}",
+            "scope": scope,
+            "asked": f"{counted(asked, 'byte')} of" if asked else "no",
+            "more": more,
+            "limit": "" if more else f"; {scope} memory has at most {counted(most, 'byte')}",
+        }
+        code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
+        yield operation.finding_of(code, place.argument, **parts)
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
@@ -188,26 +179,21 @@ def _have_results_in_common(used: list[Use]) -> bool:
 def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:
     """Returns the finding about a result that overwrites an unread one."""
     (_, first), (operation, place) = before, use
-    name = place.argument.name
+    parts: dict[str, object]
     if first.start == place.start and (first.size == place.size or not (first.is_exact and place.is_exact)):
         if not is_kept:
             return None
-        return operation.finding_at(
-            codes.OVERWRITTEN,
-            place.argument,
-            f"{name} is stored in {place.variable}, like {first.full_name} before: the reply has only the last",
-            "store them in different variables",
-        )
+        parts = {"variable": place.variable, "first": first.full_name}
+        return operation.finding_of(codes.OVERWRITTEN, place.argument, **parts)
     if (first.is_array or place.is_array) and (_is_within(first, place) or _is_within(place, first)):
         # Arrays are often filled element by element.
         return None
-    return operation.finding_at(
-        codes.OVERLAP,
-        place.argument,
-        f"{name} takes bytes {place.start} to {place.end - 1}, and {first.full_name} takes {first.start} to"
-        f" {first.end - 1}: the later one destroys the other",
-        "store them in variables that do not overlap",
-    )
+    parts = {
+        "bytes": f"bytes {place.start} to {place.end - 1}",
+        "first": first.full_name,
+        "others": f"{first.start} to {first.end - 1}",
+    }
+    return operation.finding_of(codes.OVERLAP, place.argument, **parts)
 
 
 def _is_within(inner: Footprint, outer: Footprint) -> bool:
@@ -225,21 +211,10 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
         return
     lost = next(unread([place for _, place in shared]), None)
     if lost is not None:
-        yield codes.NO_REPLY.finding(
-            TYPE_OFFSET,
-            1,
-            f"{lost.operation.full_name} stores {lost.argument.name} in {lost.variable}, which only a reply carries,"
-            " but the type does not ask for one",
-            f"use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}, or store it in local memory",
-        )
+        parts = {"storing": lost.operation.full_name, "result": lost.argument.name, "variable": lost.variable}
+        yield codes.NO_REPLY.at(TYPE_OFFSET, 1, **parts)
     elif command.global_size and not shared:
-        yield codes.UNWANTED_GLOBALS.finding(
-            HEADER_SIZE,
-            MEMORY_SIZE,
-            f"the header requests {counted(command.global_size, 'byte')} of global memory, which no operation uses and"
-            " no reply carries",
-            f"request none, or use type 0x{MessageType.DIRECT_COMMAND_REPLY:02X}",
-        )
+        yield codes.UNWANTED_GLOBALS.at(HEADER_SIZE, MEMORY_SIZE, asked=counted(command.global_size, "byte"))
 
 
 def _hidden(local: list[Use]) -> Iterator[Finding]:
@@ -256,7 +231,7 @@ def _hidden(local: list[Use]) -> Iterator[Finding]:
                 "other": Variable(GLOBAL, start),
                 "bytes": counted(end, "byte"),
             }
-            yield operation.finding_of(codes.RESULT_IN_LOCAL, LOCAL, place.argument, parts)
+            yield operation.finding_of(codes.RESULT_IN_LOCAL, place.argument, **parts)
 
 
 def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
@@ -266,9 +241,5 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     if end is None or end >= asked or (asked - end < _LARGEST and asked % _LARGEST == 0):
         return
     share = f"only {end} are" if end else "none are"
-    yield codes.UNUSED_MEMORY.finding(
-        HEADER_SIZE,
-        MEMORY_SIZE,
-        f"the header requests {counted(asked, 'byte')} of {scope} memory, but {share} used",
-        f"request {end}",
-    )
+    parts = {"asked": counted(asked, "byte"), "scope": scope, "share": share, "end": end}
+    yield codes.UNUSED_MEMORY.at(HEADER_SIZE, MEMORY_SIZE, **parts)

@@ -14,7 +14,7 @@ from ev3proto.schema.header import COMMAND_HEADER_SIZE
 from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.semantics.flow import flow_of, is_label, jump_of, labels_of, reached, target_of
 from ev3proto.semantics.footprint import whole_number
-from ev3proto.tables import OPCODES, with_effect
+from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import UNRELEASED, Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, ENCODINGS, JUMP
 
@@ -44,25 +44,16 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
 
 def _object_end(operation: CheckedOperation, end: int) -> Finding:
     if operation.end == end:
-        return operation.finding(codes.NEEDLESS_END, "the firmware adds an OBJECT_END here itself", "omit it")
-    return codes.AFTER_END.finding(
-        operation.end,
-        end - operation.end,
-        f"{counted(end - operation.end, 'byte')} follow the OBJECT_END at offset {operation.start}, so the firmware"
-        " refuses the command",
-        "omit the OBJECT_END, or what follows it",
-    )
+        return operation.finding(codes.NEEDLESS_END)
+    follow = end - operation.end
+    return codes.AFTER_END.at(operation.end, follow, bytes=counted(follow, "byte"), end=operation.start)
 
 
 def _of_programs(operation: CheckedOperation) -> Iterator[Finding]:
     objects = [argument for argument in operation.arguments if argument.parameter.role is Role.OBJECT]
     if any(whole_number(argument) == _OWN_OBJECT for argument in objects):
         return
-    yield operation.finding(
-        codes.FOREIGN_OBJECT,
-        f"{operation.name} acts on objects of a compiled program, but a direct command has only itself",
-        "omit it",
-    )
+    yield operation.finding(codes.FOREIGN_OBJECT)
 
 
 class _Way:
@@ -89,38 +80,16 @@ class _Way:
         end = self._subject.end
         if target is None:
             if not is_label(jump) or jump.form.handle or jump.form.address:
-                yield operation.finding_at(
-                    codes.JUMP_UNKNOWN,
-                    jump,
-                    f"{jump.name} is not a constant, so the target of {operation.name} is unknown",
-                    "jump by a constant, or by one condition per target",
-                )
+                yield operation.finding_of(codes.JUMP_UNKNOWN, jump)
             else:
-                yield operation.finding_at(
-                    codes.NO_SUCH_LABEL,
-                    jump,
-                    f"{jump.name} names label {jump.value}, which no LABEL sets",
-                    f"put LABEL {jump.value} at the target of the jump",
-                )
+                yield operation.finding_of(codes.NO_SUCH_LABEL, jump, value=jump.value)
         elif not COMMAND_HEADER_SIZE <= target <= end:
-            yield operation.finding_at(
-                codes.JUMP_OUT,
-                jump,
-                f"{jump.name} is {jump.value}, which leads to offset {target}, but the operations are at"
-                f" {COMMAND_HEADER_SIZE} to {end - 1}",
-                f"use {_counted(operation, jump, COMMAND_HEADER_SIZE)} to jump to the first operation, or"
-                f" {_counted(operation, jump, end)} to jump to the end, counted from the end of the jump"
-                f"{_form(jump)}",
-            )
+            parts = _targets(operation, jump, COMMAND_HEADER_SIZE, end)
+            yield operation.finding_of(codes.JUMP_OUT, jump, target=target, last=end - 1, **parts)
         elif target != end and target not in self._starts and self._is_known(target):
             inside = self._operations[bisect_left(self._starts, target) - 1]
-            yield operation.finding_at(
-                codes.JUMP_INTO,
-                jump,
-                f"{jump.name} is {jump.value}, which leads to offset {target}, into the middle of {inside.name}",
-                f"use {_counted(operation, jump, inside.start)} to run {inside.name}, or"
-                f" {_counted(operation, jump, inside.end)} to skip it{_form(jump)}",
-            )
+            parts = _targets(operation, jump, inside.start, inside.end)
+            yield operation.finding_of(codes.JUMP_INTO, jump, target=target, inside=inside.name, **parts)
 
     def _is_known(self, target: int) -> bool:
         """Returns whether an operation was read there."""
@@ -144,12 +113,7 @@ class _Way:
                     waiting.append(start)
         for operation in self._operations:
             if operation.start in flow.operations and operation.start not in leaving:
-                yield operation.finding(
-                    codes.ENDLESS,
-                    f"from {operation.name} at offset {operation.start} on, every path leads back: the command never"
-                    " ends",
-                    "end the loop by a condition, or repeat the command from outside",
-                )
+                yield operation.finding(codes.ENDLESS, at=operation.start)
                 return
 
     def _unreached(self) -> Iterator[Finding]:
@@ -166,14 +130,8 @@ class _Way:
             if first.facts.ends_code:
                 # The command ends here in any case.
                 continue
-            yield codes.UNREACHABLE.finding(
-                first.start,
-                last.end - first.start,
-                f"{first.name} never runs"
-                + (f", nor do the operations up to {last.name}" if last is not first else ""),
-                "omit it, or jump to it",
-                first.name,
-            )
+            others = f", nor do the operations up to {last.name}" if last is not first else ""
+            yield codes.UNREACHABLE.at(first.start, last.end - first.start, owner=first.name, others=others)
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
@@ -187,14 +145,15 @@ def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
     return target - operation.end
 
 
-def _form(jump: Argument) -> str:
-    """Returns the help for a jump distance that is written as a label."""
-    return ", and write it as a constant" if jump.form.kind == JUMP else ""
+def _targets(operation: CheckedOperation, jump: Argument, start: int, end: int) -> dict[str, object]:
+    """Returns the parts of the words about a jump that may lead to either of two offsets."""
+    return {
+        "value": jump.value,
+        "start": _counted(operation, jump, start),
+        "end": _counted(operation, jump, end),
+        "form": ", and write it as a constant" if jump.form.kind == JUMP else "",
+    }
 
-
-_AWAITS_SOUND = with_effect(Effect.AWAITS_SOUND)
-_AWAITS_MOVE = with_effect(Effect.AWAITS_MOVE)
-_SHOWS = with_effect(Effect.SHOWS)
 
 _LOOKED_AT = frozenset((Effect.STARTS_SOUND, Effect.SHOWS, Effect.STARTS_MOVE, Effect.DRAWS))
 
@@ -225,12 +184,7 @@ def _sounds(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     for operation in operations:
         starts, ends = operation.has(Effect.STARTS_SOUND), operation.has(Effect.ENDS_SOUND)
         if playing is not None and (starts or ends):
-            yield playing.finding(
-                codes.SOUND_INTERRUPTED,
-                f"{operation.name} at offset {operation.start} interrupts this sound as soon as it starts",
-                f"put {_AWAITS_SOUND.name} (0x{_AWAITS_SOUND.opcode.number:02X}) after it, which waits until the sound"
-                " has ended",
-            )
+            yield playing.finding(codes.SOUND_INTERRUPTED, other=operation.name, at=operation.start)
         if starts:
             playing = operation
         elif ends or _waits(operation):
@@ -245,11 +199,8 @@ def _pictures(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
     for operation in operations:
         if operation.has(Effect.SHOWS):
             if shown is not None and wiping is not None:
-                yield shown.finding(
-                    codes.PICTURE_REPLACED,
-                    f"{wiping.name} and {operation.name} at offset {operation.start} replace this picture at once",
-                    "wait in between, with TIMER_WAIT and TIMER_READY",
-                )
+                parts = {"wiping": wiping.name, "other": operation.name, "at": operation.start}
+                yield shown.finding(codes.PICTURE_REPLACED, **parts)
             shown, wiping, is_drawn = (operation if is_drawn else None), None, False
         elif operation.has(Effect.WIPES) and shown is not None:
             wiping = operation
@@ -267,13 +218,7 @@ def _not_shown(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         elif operation.has(Effect.DRAWS):
             hidden = operation
     if hidden is not None:
-        assert _SHOWS.command is not None
-        code = f"{_SHOWS.opcode.number:02X}:{_SHOWS.command.number:02X}"
-        yield hidden.finding(
-            codes.NOT_SHOWN,
-            f"{hidden.name} draws on the canvas, but the canvas is not shown",
-            f"put {_SHOWS.name} ({code}) after the last drawing, unless a later command shows it",
-        )
+        yield hidden.finding(codes.NOT_SHOWN)
 
 
 def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
@@ -287,12 +232,7 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         ports = operation.motors or []
         interrupted = {moving[port].start: moving[port] for port in ports if port in moving}
         for before in interrupted.values():
-            yield before.finding(
-                codes.MOVE_INTERRUPTED,
-                f"{operation.name} at offset {operation.start} ends this move as soon as it starts",
-                f"put {_AWAITS_MOVE.name} (0x{_AWAITS_MOVE.opcode.number:02X}) after it, which waits until the motors"
-                " are done",
-            )
+            yield before.finding(codes.MOVE_INTERRUPTED, other=operation.name, at=operation.start)
         for port in ports:
             moving.pop(port, None)
         if starts:
@@ -321,9 +261,8 @@ _NEVER_RUNS = frozenset((Effect.NEVER_RUNS,))
 def _never_run(context: CheckContext) -> Iterator[Finding]:
     for operation in context.operations:
         if operation.has(Effect.NEVER_RUNS):
-            message = codes.UNKNOWN_OPCODE.words[codes.NEVER_RUNS].message
-            said = message.format(byte=f"0x{operation.parsed.opcode:02X}", name=operation.name)
-            yield operation.finding(codes.UNKNOWN_OPCODE, said, _USE_AN_OPCODE)
+            byte = f"0x{operation.parsed.opcode:02X}"
+            yield operation.finding(codes.UNKNOWN_OPCODE, codes.NEVER_RUNS, byte=byte)
 
 
 def _faulty_start(context: CheckContext) -> int:
@@ -341,18 +280,12 @@ def _newer(context: CheckContext) -> Iterator[Finding]:
             continue
         cmd = operation.parsed.cmd
         assert cmd is not None
-        known = f"the 2013 firmware does not know {operation.name} and reads its arguments as operations"
         if rejected_at is not None and rejected_at >= operation.start:
-            yield operation.finding_at(
-                codes.NEWER,
-                cmd,
-                f"{known}: it refuses the command at offset {rejected_at}",
-                "send it to bricks with newer firmware only",
-            )
+            yield operation.finding_of(codes.NEWER, cmd, at=rejected_at)
             # Later refusals have the same cause.
             rejected_at = None
         else:
-            yield operation.finding_at(codes.NEWER_ACCEPTED, cmd, known, "send it to bricks with newer firmware only")
+            yield operation.finding_of(codes.NEWER_ACCEPTED, cmd)
 
 
 def _spins(context: CheckContext) -> Finding:
@@ -361,13 +294,10 @@ def _spins(context: CheckContext) -> Finding:
     assert at is not None
     operation = next((operation for operation in context.operations if operation.start == verdict.rejected_at), None)
     argument = next((it for it in operation.arguments if it.offset == at), None) if operation else None
-    help_ = "use the number of values that follow, 0 or more"
     if operation is not None and argument is not None:
-        counted = argument.value if argument.kind == CONSTANT else "not a number"
-        message = f"{argument.name} is {counted}: the brick reads millions of values before it does anything else"
-        return operation.finding_at(codes.SPINS, argument, message, help_)
-    message = "the brick takes this for a count of values, and reads millions of them before it does anything else"
-    return codes.SPINS.finding(at, max(context.end - at, 0), message, help_)
+        count = argument.value if argument.kind == CONSTANT else "not a number"
+        return operation.finding_of(codes.SPINS, argument, count=count)
+    return codes.SPINS.at(at, max(context.end - at, 0), "unread")
 
 
 def _fault(context: CheckContext, fault: Fault) -> Finding:
@@ -381,54 +311,32 @@ def _fault(context: CheckContext, fault: Fault) -> Finding:
     return _faulty_cmd(context, start, family.opcode.name, fault)
 
 
-_USE_AN_OPCODE = codes.UNKNOWN_OPCODE.words[codes.NEVER_RUNS].help
-
-
 def _unknown_opcode(context: CheckContext, start: int) -> Finding:
     number = context.frame[start]
     others = [opcode for opcode in OPCODES if opcode.number == number]
-    if others and others[0].dialects == UNRELEASED:
-        message = f"0x{number:02X} is {others[0].name}, which is documented but not implemented by any firmware"
-        return codes.UNKNOWN_OPCODE.finding(start, 1, message, others[0].note)
-    if others:
-        message = (
-            f"0x{number:02X} is {others[0].name} in the dialects {' and '.join(others[0].dialects)}, but not an opcode"
-            f" of {context.dialect} firmware"
-        )
-    else:
-        message = f"unknown opcode 0x{number:02X} for the {context.dialect} firmware"
-    return codes.UNKNOWN_OPCODE.finding(start, 1, message, _USE_AN_OPCODE)
+    parts: dict[str, object] = {"byte": f"0x{number:02X}", "dialect": context.dialect}
+    if not others:
+        return codes.UNKNOWN_OPCODE.at(start, 1, **parts)
+    known = others[0]
+    key = "unreleased" if known.dialects == UNRELEASED else "dialect"
+    parts |= {"known": known.name, "note": known.note, "others": " and ".join(known.dialects)}
+    return codes.UNKNOWN_OPCODE.at(start, 1, key, **parts)
 
 
 def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> Finding:
     """Returns the finding about an opcode without a valid CMD."""
     at = start + 1
     if fault.truncated:
-        return codes.CUT_OFF.finding(
-            start, context.end - start, f"{name}: {fault.reason}", "add the missing bytes", name, "CMD"
-        )
+        return codes.CUT_OFF.at(start, context.end - start, owner=name, name="CMD", reason=fault.reason)
     first = context.frame[at]
     encoding = ENCODINGS[first]
     if encoding is None:
         return _undefined_form(at, first, name, "CMD")
     cmd, _ = CMD.read(context.frame[: context.end], at)
     if encoding.kind != CONSTANT:
-        return codes.VARIABLE_CMD.finding(
-            at,
-            cmd.length,
-            fault.reason,
-            f"use a CMD of {name}; `ev3proto ops {name}` lists them",
-            name,
-            "CMD",
-        )
-    return codes.UNKNOWN_CMD.finding(
-        at,
-        cmd.length,
-        f"{name} has no CMD {cmd.value}{_consequence(context, start)}",
-        f"use a CMD of {name}; `ev3proto ops {name}` lists them",
-        name,
-        "CMD",
-    )
+        return codes.VARIABLE_CMD.at(at, cmd.length, owner=name, name="CMD", reason=fault.reason)
+    parts = {"value": cmd.value, "consequence": _consequence(context, start)}
+    return codes.UNKNOWN_CMD.at(at, cmd.length, owner=name, name="CMD", **parts)
 
 
 def _consequence(context: CheckContext, start: int) -> str:
@@ -442,14 +350,7 @@ def _consequence(context: CheckContext, start: int) -> str:
 
 
 def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
-    return codes.UNDEFINED_FORM.finding(
-        at,
-        1,
-        f"undefined identification byte 0x{first:02X} for {parameter} of {name}",
-        "encode the argument as LC0, LC1, LC2, LC4, LCS or a variable",
-        name,
-        parameter,
-    )
+    return codes.UNDEFINED_FORM.at(at, 1, owner=name, name=parameter, byte=first)
 
 
 def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: Fault) -> Finding:
@@ -463,13 +364,8 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
     parameter = parameters[min(len(operation.arguments), len(parameters) - 1)]
     if fault.truncated:
         last = min(at, context.end)
-        return codes.CUT_OFF.finding(
-            last,
-            context.end - last,
-            f"{operation.name}: {fault.reason}",
-            "add the missing bytes",
-            operation.name,
-            parameter.name,
+        return codes.CUT_OFF.at(
+            last, context.end - last, owner=operation.name, name=parameter.name, reason=fault.reason
         )
     return _undefined_form(at, context.frame[at], operation.name, parameter.name)
 
@@ -479,18 +375,7 @@ def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Arg
     is_count = fault.truncated or not count.parameter.counts
     if is_number and is_count and int(count.value) >= 0:
         room = context.end - count.offset - count.length
-        return operation.finding_at(
-            codes.CUT_OFF,
-            count,
-            f"{count.name} says that {counted(int(count.value), 'value')} follow, but only {counted(room, 'byte')} do",
-            "add the missing values, or correct the count",
-        )
-    state = (
-        f"{count.name} is {count.value}" if is_number else f"{count.name} is {count.encoding}, which is not a number"
-    )
-    return operation.finding_at(
-        codes.BAD_COUNT,
-        count,
-        f"{state}{_consequence(context, operation.start)}",
-        "use the number of values that follow, as a constant",
-    )
+        parts = {"values": counted(int(count.value), "value"), "bytes": counted(room, "byte")}
+        return operation.finding_of(codes.CUT_OFF, count, "count", **parts)
+    value = count.value if is_number else f"{count.encoding}, which is not a number"
+    return operation.finding_of(codes.BAD_COUNT, count, value=value, consequence=_consequence(context, operation.start))

@@ -32,8 +32,7 @@ def _synchronized(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]
             mask = whole_number(argument) if argument.parameter.role is Role.MOTORS else None
             count = (mask or 0).bit_count()
             if mask and mask > 0 and count != _PAIR:
-                parts = {"owner": operation.name, "count": counted(count, "motor")}
-                yield operation.finding_of(codes.NOT_TWO_MOTORS, codes.SYNCHRONIZED, argument, parts)
+                yield operation.finding_of(codes.NOT_TWO_MOTORS, argument, count=counted(count, "motor"))
 
 
 _PAIR = 2
@@ -45,7 +44,7 @@ def _slots(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         slot = operation.arguments[0] if operation.arguments else None
         number = whole_number(slot)
         if slot is not None and number == _MENU and operation.name in codes.SLOT_OF_MENU.words:
-            yield operation.finding_of(codes.SLOT_OF_MENU, operation.name, slot, {})
+            yield operation.finding_of(codes.SLOT_OF_MENU, slot, operation.name)
         elif operation.name == _LOAD:
             loaded.add(number)
         elif operation.name == _START and slot is not None and number is not None:
@@ -62,10 +61,9 @@ def _start(
     """Yields what is wrong with the start of a program, after programs were loaded into some slots."""
     address = next((one for one in operation.arguments if one.name == "IP"), None)
     if address is not None and (whole_number(address) == 0 or _is_empty(address, operations)):
-        yield operation.finding_of(codes.STARTED_UNLOADED, codes.NOT_LOADED, address, {})
+        yield operation.finding_of(codes.STARTED_UNLOADED, address)
     elif loaded and not {number, None} & loaded:
-        parts = {"loaded": next(iter(loaded)), "slot": number}
-        yield operation.finding_of(codes.OTHER_SLOT, codes.LOADED, slot, parts)
+        yield operation.finding_of(codes.OTHER_SLOT, slot, loaded=next(iter(loaded)), slot=number)
 
 
 def _is_empty(address: Argument, operations: tuple[CheckedOperation, ...]) -> bool:

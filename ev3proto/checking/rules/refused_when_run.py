@@ -11,7 +11,7 @@ from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Direction, Effect, Role
 from ev3proto.tables.encoding import TEXT
 
-_HELD = {Role.FILE: "file", Role.ARRAY: "array"}
+_HELD = (Role.FILE, Role.ARRAY)
 _OFFICIAL = "official"
 
 
@@ -24,11 +24,7 @@ def check_failures(context: CheckContext) -> Iterator[Finding]:
     may_fail = context.dialect == _OFFICIAL and Effect.FAILS in context.effects
     for operation in context.operations:
         if may_fail and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
-            yield operation.finding(
-                codes.FAILS,
-                f"{operation.name} ends the command with an error on every brick: {_reason(operation)}",
-                "omit it",
-            )
+            yield operation.finding(codes.FAILS, reason=_reason(operation))
         elif operation.facts.has_handles:
             yield from _handles(operation, made)
             made += _made_by(operation)
@@ -54,27 +50,11 @@ def _handles(operation: CheckedOperation, made: list[Role]) -> Iterator[Finding]
         role = argument.parameter.role
         if role not in _HELD or argument.parameter.direction is not Direction.IN:
             continue
-        what = _HELD[role]
-        verb = "opens" if role is Role.FILE else "creates"
         number = whole_number(argument)
         if role not in made:
-            yield operation.finding_at(
-                codes.NO_HANDLE,
-                argument,
-                f"no operation before {operation.name} {verb} {_article(what)}: handles end with their command",
-                f"{verb.removesuffix('s')} the {what} in the same command, and use the handle that it gives",
-            )
+            yield operation.finding_of(codes.NO_HANDLE, argument, role)
         elif number is not None and not 1 <= number <= len(made):
-            yield operation.finding_at(
-                codes.NO_HANDLE,
-                argument,
-                f"{argument.name} is {number}, but the command has only the handle{_numbers(len(made))}",
-                "use the variable in which the handle was stored",
-            )
-
-
-def _article(what: str) -> str:
-    return f"an {what}" if what[0] in "aeiou" else f"a {what}"
+            yield operation.finding_of(codes.NO_HANDLE, argument, "number", number=number, handles=_numbers(len(made)))
 
 
 def _numbers(count: int) -> str:
@@ -88,16 +68,7 @@ def _letters(operation: CheckedOperation) -> Iterator[Finding]:
         text, parameter = str(argument.value), argument.parameter
         refused = [letter for letter in text if letter not in parameter.letters] if parameter.letters else []
         if refused:
-            yield operation.finding_at(
-                codes.REFUSED_LETTER,
-                argument,
-                f"{argument.name} contains {refused[0]!r}, which the firmware refuses",
-                "use letters, digits, _ and -",
-            )
+            yield operation.finding_of(codes.REFUSED_LETTER, argument, letter=refused[0])
         if parameter.suffix and text.lower().endswith(parameter.suffix):
-            yield operation.finding_at(
-                codes.SUFFIX_ADDED,
-                argument,
-                f"{argument.name} ends in {parameter.suffix}, and the firmware adds {parameter.suffix} to every name",
-                f"omit it: {text[: -len(parameter.suffix)]}",
-            )
+            bare = text[: -len(parameter.suffix)]
+            yield operation.finding_of(codes.SUFFIX_ADDED, argument, suffix=parameter.suffix, bare=bare)

@@ -199,7 +199,7 @@ do
                 break
             end
             if byte(text, at + 1) == CLAIMS.never_sent then
-                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", name = selected.name }))
+                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name }))
             end
             local cmd = selected.cmd_name
             if steps and cmd then

@@ -243,8 +243,7 @@ class Brick:
         """Advances the clock.
 
         Args:
-            seconds: 0 to 1000000000000, counted in whole microseconds. An hour of two motors in step takes some 20 s;
-                time is skipped while motors are still or run evenly.
+            seconds: 0 to 1000000000000, counted in whole microseconds. An hour of a motor that runs takes some 5 s.
 
         Returns:
             The replies that became due.

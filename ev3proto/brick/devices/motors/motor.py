@@ -19,17 +19,8 @@ from ev3proto.tables.enumerations import TYPE
 PERCENT = 100
 """Hundredths of a percent in a percent; powers are counted in them."""
 
-FOREVER = 1 << 62
-"""Ticks: no end is in sight."""
-
 _HOLDING = -400
 """Power for each degree that a held motor is away from its place."""
-
-_REMEMBERED = 130
-"""Degrees after which nothing that the tachometer remembers is older."""
-
-_LAST_TICKS = 64
-"""Ticks that are not skipped before a motor is looked at."""
 
 _DAMPING = 80
 _RELEASE_TICKS = 50
@@ -60,10 +51,6 @@ class Activity:
     def act(self, motor: Motor) -> None:
         """Does the work of a tick."""
 
-    def ticks_alike(self, _: Motor) -> int:
-        """Returns for how many ticks a steady motor does the same as in the last one."""
-        return FOREVER
-
 
 class _Idle(Activity):
     is_rest = True
@@ -78,9 +65,6 @@ class _Held(Activity):
         motor.power = clamp(_HOLDING * motor.tacho, MOST_POWER)
         motor.output(motor.power, motor.characteristics.regulated)
 
-    def ticks_alike(self, motor: Motor) -> int:
-        return 0 if motor.tacho or motor.power else FOREVER
-
 
 class _Powered(Activity):
     """Runs by power, without end."""
@@ -91,9 +75,6 @@ class _Powered(Activity):
             motor.output(motor.power, motor.characteristics.plain)
         motor.tacho = motor.clock = 0
 
-    def ticks_alike(self, motor: Motor) -> int:
-        return FOREVER if motor.power == motor.goal and not motor.tacho else 0
-
 
 class _Regulated(Activity):
     """Runs at a speed, without end."""
@@ -101,9 +82,6 @@ class _Regulated(Activity):
     def act(self, motor: Motor) -> None:
         motor.regulate()
         motor.tacho = motor.clock = 0
-
-    def ticks_alike(self, motor: Motor) -> int:
-        return FOREVER if motor.is_settled and not motor.tacho else 0
 
 
 class _Releasing(Activity):
@@ -118,9 +96,6 @@ class _Releasing(Activity):
         else:
             motor.activity = IDLE
             motor.rotor.coast()
-
-    def ticks_alike(self, _: Motor) -> int:
-        return 0
 
 
 IDLE, HELD, POWERED, REGULATED = _Idle(), _Held(), _Powered(), _Regulated()
@@ -378,15 +353,6 @@ class Motor:
         power = max(-MOST_POWER, min(self.power + change, MOST_POWER))
         return (0 if power * self.aim < 0 else power), integral, error
 
-    @property
-    def is_settled(self) -> bool:
-        """Whether the regulator changes nothing while the speed remains what it is."""
-        if self._correction() != (self.power, self._integral, self._last_error):
-            return False
-        if not self.rotor.velocity:
-            return True
-        return self.tachometer.is_constant(self.rotor.place, self.rotor.steady_step, self.tick)
-
     # Time
 
     def turn(self) -> None:
@@ -407,34 +373,15 @@ class Motor:
         self.tachometer.measure(self.tick)
         self.activity.act(self)
 
-    def ticks_alike(self, most: int) -> int:
-        """Returns how many of the next ticks can be skipped, up to a number, because they are like the last one."""
-        rotor, tachometer = self.rotor, self.tachometer
-        if not rotor.is_steady:
-            return 0
-        if not rotor.velocity:
-            is_still = tachometer.is_still and self._seen == (self.tacho, 0, self.sensor)
-            return min(most, self.activity.ticks_alike(self)) if is_still else 0
-        step = rotor.steady_step
-        least = _REMEMBERED * DEGREE // abs(step) + 1
-        if most < least + _LAST_TICKS or not tachometer.has_direction(step):
-            return 0
-        ticks = min(most - _LAST_TICKS, self.activity.ticks_alike(self))
-        return ticks if ticks >= least else 0
+    @property
+    def is_still(self) -> bool:
+        """Whether all further ticks are like the last one, so that they can be skipped."""
+        is_left_alone = self.activity is IDLE or (self.activity is HELD and not (self.tacho or self.power))
+        is_seen = self._seen == (self.tacho, 0, self.sensor)
+        return is_left_alone and is_seen and self.rotor.is_still and self.tachometer.is_still
 
-    def leap(self, ticks: int) -> None:
-        """Skips ticks that are like the last one."""
-        rotor = self.rotor
-        step = rotor.steady_step
-        first = rotor.place // DEGREE
+    def skip(self, ticks: int) -> None:
+        """Skips ticks of a motor that is still."""
         self.tick += ticks
-        rotor.place += step * ticks
-        degrees = rotor.place // DEGREE - first
-        self.tacho += degrees
-        self.sensor += degrees
         self.clock += self.rate * ticks
-        self._seen = self._seen._replace(tacho=self.tacho, sensor=self.sensor)
-        if step:
-            self.tachometer.leap(rotor.place, step, self.tick)
-        else:
-            self.tachometer.leap_still(self.tick)
+        self.tachometer.skip(self.tick)

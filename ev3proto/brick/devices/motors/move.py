@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from enum import IntEnum
 
-from ev3proto.brick.devices.motors.characteristics import MOST_POWER
-from ev3proto.brick.devices.motors.motor import FOREVER, PERCENT, Activity, Motor, divide, signed
-from ev3proto.brick.devices.motors.rotor import DEGREE, TICK_MILLISECONDS
+from ev3proto.brick.devices.motors.motor import PERCENT, Activity, Motor, divide, signed
+from ev3proto.brick.devices.motors.rotor import TICK_MILLISECONDS
 
 _RATE = 1000
 """Slopes of ramps are in thousandths of a percent for each degree or millisecond."""
@@ -17,9 +16,6 @@ _LEAST_UP, _LEAST_DOWN, _CRAWL = 6, 4, 2
 
 _PUSH = 20
 """Power that a ramp up adds in each tick until the motor turns."""
-
-_MARGIN = 300
-"""Degrees or milliseconds before the end of a phase in which every tick may differ."""
 
 
 class Phase(IntEnum):
@@ -48,7 +44,6 @@ class Move(Activity):
         self._is_soft = False  # whether the phase ends by an approach
         self._is_near = False  # whether the approach has begun
         self._is_crawling = False  # whether a ramp of power down has fallen back on the regulator
-        self._has_begun = False  # whether the phase has had a tick
         self._up_rate = self._up_base = self._down_rate = 0
 
     def begin(self, motor: Motor, percent: int, owner: int) -> None:
@@ -72,7 +67,6 @@ class Move(Activity):
             return
         motor.subtract(done, self._is_timed)
         self._phase = found
-        self._has_begun = False
         if found is not Phase.UP or not self._is_regulated or not motor.tachometer.speed:
             motor.forget()
         if found is Phase.UP:
@@ -103,7 +97,6 @@ class Move(Activity):
         count = motor.count(self._is_timed)
         motor.clear_other(self._is_timed)
         length = self._lengths[self._phase]
-        self._has_begun = True
         if self._phase is Phase.DOWN:
             if count * self._direction < length * self._direction:
                 self._ramp_down(motor, count)
@@ -162,26 +155,6 @@ class Move(Activity):
             self._is_crawling = True
             motor.aim = _CRAWL * self._direction
             motor.regulate()
-
-    def ticks_alike(self, motor: Motor) -> int:
-        """Returns for how many ticks a steady motor does the same as in the last one."""
-        left = (self._lengths[self._phase] - motor.count(self._is_timed)) * self._direction
-        if self._phase is Phase.FLAT:
-            if self._is_near or (self._is_regulated and not motor.is_settled):
-                return 0
-            return self._ticks_before_end(motor, left)
-        if motor.rotor.steady_step or self._is_timed or left <= 0 or not self._has_begun:
-            return 0
-        is_regulated = self._is_regulated or self._phase is Phase.DOWN
-        is_same = motor.is_settled if is_regulated else abs(motor.power) == MOST_POWER
-        return FOREVER if is_same else 0
-
-    def _ticks_before_end(self, motor: Motor, left: int) -> int:
-        """Returns how many ticks it takes until the end of a phase is near, with a counter that grows evenly."""
-        each = motor.rate if self._is_timed else motor.rotor.steady_step
-        if left > 0 and each * self._direction <= 0:
-            return FOREVER
-        return max(0, left - _MARGIN) * (1 if self._is_timed else DEGREE) // (abs(each) or 1)
 
 
 _DRIVES: dict[tuple[Phase, bool], Callable[[Move, Motor, int], None]] = {

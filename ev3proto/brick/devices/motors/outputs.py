@@ -14,7 +14,7 @@ from ev3proto.brick.running_programs import USER_SLOT, Program
 PORT_LETTERS = ("A", "B", "C", "D")
 
 _CHUNK = 256
-"""Ticks after which it is seen whether motors are steady, so that time can be skipped."""
+"""Ticks after which it is seen whether motors are still, so that time can be skipped."""
 
 
 class Outputs(Part):
@@ -122,11 +122,10 @@ class Outputs(Part):
 def _advance(motors: Sequence[Motor], until: int) -> None:
     """Advances motors that depend on each other, in the order of their ports."""
     while (left := until - motors[0].tick) > 0:
-        leap = min(motor.ticks_alike(left) for motor in motors)
-        if leap > 0:
+        if all(motor.is_still for motor in motors):
             for motor in motors:
-                motor.leap(leap)
-            continue
+                motor.skip(left)
+            return
         for _ in range(min(left, _CHUNK)):
             for motor in motors:
                 motor.turn()

@@ -86,10 +86,6 @@ class Pair(Activity):
         else:
             self._regulate()
 
-    def ticks_alike(self, _: Motor) -> int:
-        """Returns 0: each motor may change what the other does."""
-        return 0
-
     def _regulate(self) -> None:
         master, slave = self.motors
         self._limit_speed()

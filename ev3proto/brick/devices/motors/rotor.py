@@ -82,14 +82,9 @@ class Rotor:
         return self._response is _BRAKED
 
     @property
-    def is_steady(self) -> bool:
-        """Whether it turns at its final speed, or is still."""
-        return self.velocity == self._target
-
-    @property
-    def steady_step(self) -> int:
-        """The parts of a degree of a tick at the final speed."""
-        return round(self._target * CONTROL_PERIOD)
+    def is_still(self) -> bool:
+        """Whether it neither turns nor is driven."""
+        return not self.velocity and not self._target
 
     def turn(self) -> int:
         """Turns for a tick. Returns how far, in parts of a degree."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from ev3proto.brick.devices.motors.characteristics import LARGE, Characteristics
 from ev3proto.brick.devices.motors.rotor import DEGREE
 
@@ -110,7 +108,7 @@ class Tachometer:
         """Returns a speed without sign, from the counts that a number of degrees took."""
         return min(samples * self._characteristics.degree_time // gap, _MOST) if gap else 1
 
-    # Leaps in time
+    # Skipped time
 
     @property
     def is_still(self) -> bool:
@@ -122,39 +120,7 @@ class Tachometer:
         """The first tick at or after the time since which the motor is still."""
         return -(-self._still_since * _TICKS // _COUNTS)
 
-    def leap_still(self, tick: int) -> None:
+    def skip(self, tick: int) -> None:
         """Continues at a later tick, without degrees meanwhile."""
         period = self._characteristics.degree_time * _TICKS // _COUNTS + 1
         self._still_since = counter(tick - (tick - self._still_tick) % period)
-
-    def is_constant(self, place: int, step: int, tick: int) -> bool:
-        """Returns whether the speed remains what it is while each tick turns the motor by the same step."""
-        times = self._times(place, step, tick)
-        if any(self._ring[self._newest - back] != next(times) for back in range(self._most_run + 1)):
-            return False
-        degree_time = DEGREE * _COUNTS / (_TICKS * abs(step))
-        speeds = set()
-        for samples in {self._samples_for(gap) for gap in (int(degree_time), int(degree_time) + 1)}:
-            gap = int(degree_time * samples)
-            speeds |= {self._speed(gap, samples), self._speed(gap + 1, samples)}
-        return speeds == {abs(self.speed)}
-
-    def leap(self, place: int, step: int, tick: int) -> None:
-        """Continues at a later tick and place, after equal steps that passed more degrees than it remembers."""
-        times = list(self._times(place, step, tick))
-        self._ring = times[::-1]
-        self._newest = self._measured = _RING - 1
-        self._run = self._most_run
-        self._still_since = times[0]
-
-    def _times(self, place: int, step: int, tick: int) -> Iterator[int]:
-        """Yields when the last degrees passed, newest first, if each tick turned the motor by the same step."""
-        newest = place // DEGREE + (step < 0)
-        direction = 1 if step > 0 else -1
-        for back in range(_RING):
-            degree = (newest - back * direction) * DEGREE
-            yield (tick * step + degree - place) * _COUNTS // (_TICKS * step)
-
-    def has_direction(self, step: int) -> bool:
-        """Returns whether it counts degrees in the direction of a step."""
-        return step * self._direction > 0

@@ -1,4 +1,4 @@
-"""Tries the playground in one engine: `three_engines.py chromium|firefox|webkit SITE`, called by tests/browsers.
+"""Tries the playground in one engine: `other_engines.py firefox|webkit SITE`, called by tests/browsers.
 
 It runs in environments of their own, so it imports nothing from the project. Each engine has its driver; what is common
 to them is that they open an address and run a script.
@@ -30,23 +30,6 @@ class Engine(NamedTuple):
 
     open: Callable[[str], object]
     run: Callable[..., Any]
-
-
-@contextmanager
-def chromium() -> Iterator[Engine]:
-    """Yields Debian's Chromium."""
-    from selenium.webdriver import Chrome, ChromeOptions
-    from selenium.webdriver.chrome.service import Service
-
-    options = ChromeOptions()
-    options.binary_location = "/usr/bin/chromium"
-    for argument in ("--headless", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000"):
-        options.add_argument(argument)
-    browser = Chrome(options, Service("/usr/bin/chromedriver"))
-    try:
-        yield Engine(browser.get, browser.execute_script)
-    finally:
-        browser.quit()
 
 
 @contextmanager
@@ -179,7 +162,7 @@ class _Quiet(http.server.SimpleHTTPRequestHandler):
 
 def main(name: str, site: str) -> int:
     """Takes the tour. Returns the number of steps that fail."""
-    engines = {"chromium": chromium, "firefox": firefox, "webkit": webkit}
+    engines = {"firefox": firefox, "webkit": webkit}
     failed = 0
     handler = functools.partial(_Quiet, directory=site)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server, engines[name]() as engine:

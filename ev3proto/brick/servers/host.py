@@ -15,6 +15,7 @@ from typing import Protocol
 
 from ev3proto.brick.brick import Addressed, Brick
 from ev3proto.brick.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
+from ev3proto.brick.servers import Observer
 from ev3proto.errors import counted
 from ev3proto.schema.frame_buffer import FrameBuffer
 from ev3proto.schema.header import out_of_step
@@ -71,25 +72,6 @@ class Line(Protocol):
 
     def drop(self) -> None:
         """Ends the connection at once."""
-
-
-class Observer(Protocol):
-    """An observer of the connections."""
-
-    def opened(self, connection: Connection) -> None:
-        """Learns that a client has connected."""
-
-    def frame(self, connection: Connection, frame: bytes, is_from_host: bool) -> None:
-        """Receives a frame from or to a client."""
-
-    def left(self, connection: Connection, data: bytes, reason: str) -> None:
-        """Learns that the last bytes of a client were not a whole frame, and why."""
-
-    def waiting(self, connection: Connection, reason: str) -> None:
-        """Learns what the command of a client waits for in vain, such as a motor that is not plugged in."""
-
-    def closed(self, connection: Connection) -> None:
-        """Learns that a client has disconnected, and that all of its frames are done."""
 
 
 class Connection:

@@ -6,13 +6,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO, cast
 
+from ev3proto.brick.servers import Observer
 from ev3proto.brick.servers.host import Connection, Say
 from ev3proto.generate.captures.recording import Recording
 from ev3proto.tables.carriers import Carrier
 from ev3proto.whole_files import GrowingFile
 
 
-class Recorder:
+class Recorder(Observer):
     """Writes a pcapng file while the brick is on."""
 
     def __init__(self, path: Path, say: Say, *, force: bool = False) -> None:
@@ -27,9 +28,6 @@ class Recorder:
     def packets(self) -> int:
         """Number of packets written."""
         return self._recording.packets
-
-    def waiting(self, connection: Connection, reason: str) -> None:
-        """Records nothing."""
 
     def opened(self, connection: Connection) -> None:
         """Records the beginning of a connection: on WiFi the TCP handshake, the unlock text and its answer."""

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from ev3proto.brick.servers import Observer
 from ev3proto.brick.servers.host import Connection
 from ev3proto.checking import codes
 from ev3proto.checking.checking import check
@@ -39,7 +40,7 @@ class _Kind:
     frames: int = 0
 
 
-class Reporter:
+class Reporter(Observer):
     """Checks the frames of all clients."""
 
     def __init__(self, dialect: str = "official", packet: Callable[[], int] | None = None) -> None:
@@ -52,12 +53,6 @@ class Reporter:
         self._not_shown: list[_Kind] = []
         self._broken: list[tuple[dict[str, Any], str]] = []
         self._waiting: list[tuple[dict[str, Any], str]] = []
-
-    def opened(self, connection: Connection) -> None:
-        """Checks nothing."""
-
-    def closed(self, connection: Connection) -> None:
-        """Checks nothing."""
 
     def left(self, connection: Connection, data: bytes, reason: str) -> None:  # noqa: ARG002 - the recording has them
         """Keeps the reason why a client's bytes ended."""

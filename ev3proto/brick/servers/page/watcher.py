@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from ev3proto.bounded import Bounded
+from ev3proto.brick.servers import Observer
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
@@ -77,7 +78,7 @@ class Unshown:
         return [self._talks.popitem(last=False)[1] for _ in range(min(most, len(self._talks)))]
 
 
-class Watcher:
+class Watcher(Observer):
     """Watches the brick's connections for all pages."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -97,18 +98,6 @@ class Watcher:
     def close(self, unshown: Unshown) -> None:
         """Closes a page."""
         self._pages.discard(unshown)
-
-    def waiting(self, connection: Client, reason: str) -> None:
-        """Does nothing: the page shows it as a part of the brick's state."""
-
-    def opened(self, connection: Client) -> None:
-        """Does nothing: a connection alone shows nothing."""
-
-    def left(self, connection: Client, data: bytes, reason: str) -> None:
-        """Does nothing: the host reports it."""
-
-    def closed(self, connection: Client) -> None:
-        """Does nothing."""
 
     def frame(self, connection: Client, frame: bytes, is_from_host: bool) -> None:
         """Begins a dialogue with a command, or ends it with the reply of the same counter."""

@@ -85,7 +85,10 @@ export const offerCompletions = (complete) => {
       item.onpointerdown = (/** @type {PointerEvent} */ event) => { event.preventDefault(); insert(number); };
       return item;
     });
-    list.replaceChildren(...items, ...(answer.hint ? [make("li", answer.hint, "aside")] : []));
+    const hint = make("li", answer.hint, "aside");
+    hint.setAttribute("role", "option");
+    hint.setAttribute("aria-disabled", "true");
+    list.replaceChildren(...items, ...(answer.hint ? [hint] : []));
     list.hidden = !list.children.length;
     input.removeAttribute("aria-activedescendant");
   };

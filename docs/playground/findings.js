@@ -17,12 +17,11 @@ export const showFindings = ({ summary, blocks, accepted, places }, explain) => 
 /** @param {import("./answer.js").Block} block @param {number} number @param {Explain} explain */
 const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
   const box = make("div", "", `finding ${severity}`);
-  if (frame >= 0) {
-    box.dataset.block = String(number);
-    box.tabIndex = 0;
-    box.setAttribute("role", "group");
-    box.setAttribute("aria-label", `${severity || "verdict"}: ${textOf(lines[0] ?? [])}`);
-  }
+  // It may scroll sideways.
+  box.tabIndex = 0;
+  box.setAttribute("role", "group");
+  box.setAttribute("aria-label", `${severity || "verdict"}: ${textOf(lines[0] ?? [])}`);
+  if (frame >= 0) box.dataset.block = String(number);
   /** @type {HTMLElement | null} */
   let excerpt = null;
   for (const pieces of lines) {

@@ -12,7 +12,7 @@ const MARKED = "#bytes .chosen, #bytes .named, #header .chosen, #tree .chosen, #
 /** @param {Element | null | undefined} element @param {string} [name] */
 const choose = (element, name = "chosen") => {
   element?.classList.add(name);
-  if (element?.hasAttribute("role")) element.setAttribute("aria-selected", "true");
+  if (element?.hasAttribute("aria-selected")) element.setAttribute("aria-selected", "true");
 };
 
 /** Returns the byte in the dump, if it is there. @param {number} at */
@@ -25,7 +25,7 @@ export const lineOf = ({ row, part }) => document.getElementById(part === undefi
 export const unmark = () => {
   for (const element of document.querySelectorAll(MARKED)) {
     element.classList.remove("chosen", "named");
-    if (element.hasAttribute("role")) element.setAttribute("aria-selected", "false");
+    if (element.hasAttribute("aria-selected")) element.setAttribute("aria-selected", "false");
   }
   paint(null);
 };

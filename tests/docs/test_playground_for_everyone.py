@@ -39,7 +39,7 @@ def focus(page: Page) -> str:
     return str(page.run("return document.activeElement.id || document.activeElement.tagName"))
 
 
-def violations(page: Page, *without: str) -> list[Any]:
+def violations(page: Page, *without: str, in_dark: bool = True) -> list[Any]:
     """What axe finds on the page as it is now, without some elements: rules, each with some of the elements.
 
     In the dark, only colours differ.
@@ -49,7 +49,7 @@ def violations(page: Page, *without: str) -> list[Any]:
     page.browser.set_script_timeout(300)
     run = "axe.run({exclude: arguments[0]}, arguments[1]).then((it) => arguments[2](it.violations))"
     found: list[Any] = []
-    for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]})):
+    for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]}))[: 1 + in_dark]:
         features = [{"name": "prefers-color-scheme", "value": scheme}]
         page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
         found += page.browser.execute_async_script(run, [[selector] for selector in without], rules)
@@ -57,14 +57,29 @@ def violations(page: Page, *without: str) -> list[Any]:
     return [(rule["id"], [node["html"][:200] for node in rule["nodes"][:3]]) for rule in found]
 
 
-@each("text", [WRONG, LOG, "", "UI_WRITE(LED, LED_RDE)"])
+LONG = "0x|18:00|01:00|00|05:00|84:05:01:81:0A:81:32:84:67:67:67:67:67:67:67:67:67:67:00|"
+"""A wrong frame, of which an excerpt is wider than a phone."""
+
+
+@each("text", [WRONG, LOG, LONG, "", "UI_WRITE(LED, LED_RDE)\n" * 20])
 def test_axe_finds_nothing(page: Page, text: str) -> None:
-    page.type("")
-    page.wait(lambda: not page.text("findings") and not page.text("error"))
-    page.type(text)
-    if text:
-        page.wait(lambda: page.text("findings") or page.text("error"))
-    assert violations(page) == []
+    for width, height, is_phone in ((390, 844, True), (1280, 720, False)):
+        with emulated(page.browser, width, height, is_phone=is_phone):
+            page.type("")
+            page.wait(lambda: not page.text("findings") and not page.text("error"))
+            page.type(text)
+            if text:
+                page.wait(lambda: page.text("findings") or page.text("error"))
+            else:
+                page.browser.find_element(By.ID, "input").send_keys("UI_")
+                page.wait(lambda: len(page.texts("#words li")) == 11)
+            assert violations(page, in_dark=not is_phone) == [], width
+            if text != LOG:
+                continue
+            page.click("send")
+            page.wait(lambda: "VALUE" in page.text("answer"))
+            assert page.is_shown("desk")
+            assert violations(page, in_dark=False) == [], width
 
 
 def test_axe_finds_nothing_in_what_is_opened(page: Page) -> None:

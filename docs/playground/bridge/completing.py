@@ -10,7 +10,7 @@ from ev3proto.semantics.domain import facts
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Declaration, declarations
 
-MOST_COMPLETIONS = 40
+MOST_COMPLETIONS = 10
 
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
 _WORD = re.compile(r"[A-Za-z_][\w.]*$")
@@ -43,6 +43,8 @@ def complete(before: str) -> str:
         # The same names that the error suggests.
         known = dict(options) if call is not None else _heads(word)
         words = [(prefix + each, f"{each}: did you mean this?") for each in near_names(name, known)]
+    if len(words) > MOST_COMPLETIONS:
+        hint = f"... and {len(words) - MOST_COMPLETIONS} more: type more letters"
     return json.dumps({"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint})
 
 

@@ -99,12 +99,11 @@ def header_edits(frame: bytes) -> Iterator[Edit]:
         yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if stated_size(frame) == size else 0.0)
         yield Edit("counter-missing", 2, 2, bytes(2), guess=2)
     if frame[3] in _COMMANDS:
-        yield Edit("header-short", 3, 3, b"\0", guess=1)
+        yield Edit("header-short", 2, 3, frame[2:3] + b"\0", guess=2)
     if size > HEADER_SIZE + 1:
         yield from _of_type(frame)
         for at in range(LENGTH_FIELD, min(COMMAND_HEADER_SIZE, size - 1)):
-            if frame[at] == frame[at + 1]:
-                yield Edit("doubled", at, at + 1, b"", (frame[at],), 0.5)
+            yield _of_pair(frame, at, 0.5)
     if frame[TYPE_AT] in DIRECT:
         yield from _of_memory(frame)
 
@@ -208,6 +207,14 @@ def _of_memory(frame: bytes) -> Iterator[Edit]:
         if 0 < frame[at + 1] < 64:
             new = bytes((frame[at + 1] << 2,))
             yield Edit("memory-shift", at + 1, end, new, (frame[at + 1], spaced(new)))
+
+
+def _of_pair(data: bytes, at: int, extra: float) -> Edit:
+    """Returns the edit of a byte that is there twice, or of two that changed places."""
+    if data[at] == data[at + 1]:
+        return Edit("doubled", at, at + 1, b"", (data[at],), extra)
+    pair = data[at : at + 2]
+    return Edit("transposed", at, at + 2, pair[::-1], (spaced(pair), spaced(pair[::-1])))
 
 
 # The arguments of an operation
@@ -403,8 +410,7 @@ def operation_edits(code: CommandCode, start: int, reading: Reading) -> Iterator
     data, size = code.data, len(code.data)
     yield from _of_opcode(code, start, reading)
     for at in range(start, min(reading.end + (3 if reading.is_fault else 0), size - 1)):
-        if data[at] == data[at + 1]:
-            yield Edit("doubled", at, at + 1, b"", (data[at],), 1.0 if data[at] in _COMMON else 0.0)
+        yield _of_pair(data, at, 1.0 if data[at] in _COMMON else 0.0)
     if reading.schema is None:
         return
     facts, arguments = operation_facts(reading.schema), reading.arguments
@@ -630,8 +636,7 @@ def system_edits(frame: bytes) -> Iterator[Edit]:
         elif field.kind is FieldKind.COUNTED_TEXT:
             at += frame[at - 1]
     for place in range(HEADER_SIZE, min(len(frame) - 1, 80)):
-        if frame[place] == frame[place + 1]:
-            yield Edit("doubled", place, place + 1, b"", (frame[place],), 2.0 if frame[place] in _COMMON else 1.0)
+        yield _of_pair(frame, place, 2.0 if frame[place] in _COMMON else 1.0)
 
 
 def _of_field(frame: bytes, at: int, field: SystemField, entry: SystemDeclaration) -> Iterator[Edit]:

@@ -54,6 +54,7 @@ SURE = 3.6
 _MOST = 8.0  # the cost above which nothing is said: too many other slips are as likely
 _MARGIN = 0.4  # how much better than silence
 _CLEAR = 1.1  # how much better than all others a fix is
+_LESS_WITH_MEMORY = 2.0  # how much less a candidate costs for which other memory is requested
 _TIE = 0.7  # the difference up to which two are equally likely
 _REPEATED, _MOST_REPEATED = 0.7, 8  # the cost of the same slip again, and how often it is looked for
 _FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is looked for, and their cost at most
@@ -69,7 +70,7 @@ _OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "heade
 # Bounds on what is tried for one frame.
 _SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
 _MOST_READ = 40_000  # bytes of all operations that are read with an edit
-_MOST_JUDGED = 14  # candidates that `check` judges in a round
+_MOST_JUDGED = 24  # candidates that `check` judges in a round
 _MOST_CHECKED = 9_000  # bytes of all candidates that `check` judges
 _MOST_OPERATIONS = 8  # operations in which edits are tried, around the first suspicious one
 _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
@@ -273,10 +274,15 @@ class _Search:
             if other is None or one.price + one.read < other.price + other.read:
                 best[one.frame] = one
         best.pop(frame, None)
-        found = []
+        found: list[_Judged] = []
+        most = float("inf")
         for one in sorted(best.values(), key=lambda each: each.price + each.read)[:_MOST_JUDGED]:
-            if self._unchecked > 0:
-                found.append(self._judged(one))
+            # A candidate costs what is read, or less if other memory is requested for it.
+            if self._unchecked <= 0 or one.price + one.read > most:
+                break
+            found.append(self._judged(one))
+            if found[-1].is_right:
+                most = min(most, found[-1].cost + _CLEAR + _LESS_WITH_MEMORY)
         return sorted(found, key=_by_cost)
 
     def _repeated(self, found: list[_Judged]) -> Iterator[_Judged]:

@@ -139,6 +139,8 @@ SLIPS = {
     # Copying.
     "doubled": Slip(5, "the byte {0:02X} is there twice",
         "0F00 0100 80 0000 94 01 02 8282E803 82F401", _TONE),
+    "transposed": Slip(5, "two bytes changed places: {0} is {1}",
+        "0D00 0100 80 0000 A5 00 01 3281 A6 00 01", _SPEED),
     "lost": Slip(6, "a byte of {0} of {1} is missing",
         "0C00 0100 80 0000 A5 00 01 81 A6 00 01", _SPEED),
     # System commands.

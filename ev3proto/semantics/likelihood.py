@@ -73,7 +73,7 @@ _COSTS = {
     Wrong.WHOLE: 6.0,
     Wrong.LONG: 0.0,  # a text's length is rarely a slip
 }
-_NEAR, _MARKED, _ODD_FLOAT, _JUMP_BY_LABEL = 3.0, 6.0, 5.0, 0.5
+_NEAR, _MARKED, _ODD_FLOAT, _JUMP_BY_LABEL, _NO_MOTOR = 3.0, 6.0, 5.0, 0.5, 2.5
 
 
 def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float:
@@ -92,7 +92,9 @@ def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float
 
 
 def _layer(known: ParameterFacts, value: ArgumentValue) -> float:
-    return 2.0 if known.parameter.role is Role.LAYER and value else 0.0
+    """Returns the cost of another brick's layer, or of no motor."""
+    role = known.parameter.role
+    return 2.0 if role is Role.LAYER and value else _NO_MOTOR if role is Role.MOTORS and not value else 0.0
 
 
 def _of_text(argument: Argument, text: str) -> float:

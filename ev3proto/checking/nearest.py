@@ -69,7 +69,7 @@ _OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "heade
 
 # Bounds on what is tried for one frame.
 _SHORTEST, _LONGEST = HEADER_SIZE, MAX_FRAME + 64
-_MOST_READ = 40_000  # bytes of all operations that are read with an edit
+_MOST_READ = 25_000  # bytes of all operations that are read with an edit
 _MOST_JUDGED = 24  # candidates that `check` judges in a round
 _MOST_CHECKED = 9_000  # bytes of all candidates that `check` judges
 _MOST_OPERATIONS = 8  # operations in which edits are tried, around the first suspicious one

@@ -2557,7 +2557,8 @@ local FINDINGS = {
 local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
 local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
 local SLIPS = {
-    length_self = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent; the brick takes %d bytes of the next one",
+    length_self = "this is a frame whose length counts its own two bytes: it says {length}, the size of all that was sent; the brick takes {more} bytes of the next one",
+    left_over = "the frame before ends here by its length field, {bytes} before the end of what was sent",
 }
 local REFUSED = { E204 = true, E206 = true }
 
@@ -5188,6 +5189,20 @@ do
         return open
     end
 
+    -- Returns what is wrong with the length field of a frame that ends in the newest packet, which starts at `sent`: it
+    -- counts its own two bytes if it is the size of all that was sent before, and only without the two bytes from that
+    -- the frame makes sense; else nil.
+    function finding.slip_of(text, at, sent)
+        local length = reading.unsigned16(text, at)
+        local right = length and length - LENGTH_FIELD
+        if not sent or length ~= sent - at or right < MIN_LENGTH or stop_of(text, at) > #text then return nil end
+        if claiming.is_sensible(messages.read(sub(text, at + 1, stop_of(text, at)))) then return nil end
+        local head = string.char(right % 0x100, floor(right / 0x100))
+        local meant = messages.read(head .. sub(text, at + LENGTH_FIELD + 1, at + length))
+        local said = { length = length, more = LENGTH_FIELD }
+        return claiming.is_sensible(meant) and phrases.filled(SLIPS.length_self, said) or nil
+    end
+
     -- Judges a frame that seems to be split over several packets, with possible gaps between them: OURS, PART, or nil.
     -- The newest packet starts at `joint`.
     function finding.judge_split(text, at, accepts, joint, is_last)
@@ -5209,7 +5224,9 @@ do
         local inside, following_inside = finding.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
+        -- A header after a frame without a fault confirms it, two do after another.
+        local is_open = is_inside and following <= (is_sound and 0 or 1) or following == 0 and not is_sound
+        return is_open and not is_last and PART or OURS
     end
 end
 
@@ -5304,8 +5321,8 @@ do
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
-            return format("%s; the frame before ends here by its length field, %s before the end of what was sent",
-                reason, phrases.plural(left_over, "byte"))
+            local said = { bytes = phrases.plural(left_over, "byte") }
+            return reason .. "; " .. phrases.filled(SLIPS.left_over, said)
         elseif is_possible or is_lost then
             return "bytes that are in no frame, as after a gap in the capture"
         end
@@ -5359,6 +5376,7 @@ do
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
+        if finding.slip_of(text, at, stream.sent) then return OURS end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
@@ -5377,18 +5395,6 @@ do
         return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
     end
 
-    -- Returns what is wrong with the length field of a frame that ends in another packet than the one it starts with:
-    -- it counts its own two bytes if it is the size of all that was sent before the newest packet, and only without
-    -- the two bytes from that the frame makes sense.
-    local function slip_of(message, at, joint)
-        local length = message.size - LENGTH_FIELD
-        local right = length - LENGTH_FIELD
-        if length ~= joint - at or right < MIN_LENGTH or claiming.is_sensible(message) then return nil end
-        local head = string.char(right % 0x100, floor(right / 0x100))
-        local meant = messages.read(head .. sub(message.text, LENGTH_FIELD + 1, length))
-        return claiming.is_sensible(meant) and format(SLIPS.length_self, length, LENGTH_FIELD) or nil
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
     -- `stream` has
@@ -5398,6 +5404,7 @@ do
     --              "lost" if it must be searched for
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
+    --   sent       the same, if what was sent before can be all of a frame
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
@@ -5435,7 +5442,7 @@ do
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = storage.place_of(number, start + at)
                 local message = messages.read(frame)
-                if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
+                message.slip = finding.slip_of(text, at, stream.sent)
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
                 said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
@@ -5447,7 +5454,8 @@ do
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
                     local is_lost, place = step == "lost", storage.place_of(number, start + at)
-                    local is_after = not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                    local is_after = at == no_frame_at
+                        or not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
                     local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
                     after, is_open = next_step(
@@ -5746,7 +5754,7 @@ do
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1
-            if not is_length(text, 0) then return false end
+            if not is_length(text, 0) or finding.slip_of(text, 0, #stream.list == 1 and joint) then return false end
             return finding.judge_split(text, 0, accepts, joint) == PART
         end
         local place, following = finding.find_step(text, 0, accepts, 0, 0)
@@ -5830,6 +5838,7 @@ do
                 step = packet.step or "likely",
                 start = packet.start,
                 joint = before and #before or 0,
+                sent = before and packet.earlier == 1 and #before,
                 first = not before and 0,
                 may_gap = true,
                 accepts = packet.accepts,
@@ -6021,6 +6030,7 @@ do
                     step = step,
                     start = done,
                     joint = joint,
+                    sent = joint,
                     first = 0,
                     accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
                         or comes_from_brick,
@@ -6358,4 +6368,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 9e1524effb9c291e
+-- Checksum of the lines above, by which a changed file is recognised: 4a72b556a0f84f63

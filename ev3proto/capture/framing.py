@@ -20,8 +20,16 @@ from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
-from ev3proto.schema.header import HEADER_SIZE, frame_end, frame_size, impossible_length, may_have_length, may_start
-from ev3proto.semantics.advice import advice
+from ev3proto.schema.header import (
+    HEADER_SIZE,
+    frame_end,
+    frame_size,
+    impossible_length,
+    may_have_length,
+    may_start,
+    with_length,
+)
+from ev3proto.semantics.advice import LEFT_OVER, LENGTH_SELF, advice
 from ev3proto.semantics.identify import foreign, identify
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MESSAGE_TYPES
@@ -60,7 +68,7 @@ class StreamPart(NamedTuple):
     kind: PartKind
     data: bytes
     numbers: tuple[int, ...]  # the packets that carried them
-    reason: str = ""  # for LOST: why it cannot be read
+    reason: str = ""  # for LOST: why it cannot be read; for FRAME: what is wrong with its length
 
 
 class Cutter:
@@ -273,11 +281,36 @@ class Cutter:
                     break
             elif end > len(buffer):
                 break
+            elif kind is PartKind.FRAME and self._counts_itself(buffer, at, end):
+                at = self._take_slip(buffer, at, end, found)
             else:
                 found.append(self._piece(kind, at, end))
                 self._learn(kind)
                 at = end
         return at
+
+    def _take_slip(self, buffer: bytes, at: int, end: int, found: list[StreamPart]) -> int:
+        """Adds a frame whose length counts itself, and the rest of the packet. Returns the offset after them."""
+        found.append(self._piece(PartKind.FRAME, at, end, LENGTH_SELF.format(length=end - at - LENGTH_FIELD, more=LENGTH_FIELD)))
+        self._learn(PartKind.FRAME)
+        if end < len(buffer):
+            left = LEFT_OVER.format(bytes=counted(len(buffer) - end, "byte"))
+            found.append(self._piece(PartKind.LOST, end, len(buffer), left))
+        return len(buffer)
+
+    def _counts_itself(self, buffer: bytes, at: int, end: int) -> bool:
+        """Returns whether the length field of a frame counts its own two bytes.
+
+        It is the size of all that was sent, in one packet, before the newest, and only without the two bytes from
+        that the frame makes sense.
+        """
+        size = end - at - LENGTH_FIELD
+        if end > len(buffer) or [start for start, _ in self._marks[-2:]] != [at, at + size]:
+            return False
+        if self._finder.is_frame(buffer, at, end):
+            return False
+        meant = with_length(buffer[at + LENGTH_FIELD : at + size])
+        return self._finder.is_frame(meant, 0, len(meant))
 
     def _take_lost(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> tuple[int, bool]:
         """Adds the bytes to the next frame. Returns the offset after them, and whether more bytes are needed."""
@@ -351,7 +384,8 @@ class Cutter:
             return PartKind.LOST, more
         end = front
         may_gap = self._may_gap and any(at <= start < end for start, _ in self._marks)
-        if (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE:
+        is_doubtful = (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE
+        if is_doubtful and not self._counts_itself(buffer, at, end):
             return self._judge(buffer, at, end, is_last)
         return PartKind.FRAME, end
 

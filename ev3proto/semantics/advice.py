@@ -21,6 +21,12 @@ SLIPS = {
     "length-swapped": "this is a frame whose length has its high byte first",
 }
 """What is said about slips that the header shows."""
+LENGTH_SELF = (
+    f"{SLIPS['length-self']}: it says {{length}}, the size of all that was sent; the brick takes {{more}} bytes of"
+    " the next one"
+)
+LEFT_OVER = "the frame before ends here by its length field, {bytes} before the end of what was sent"
+"""What is said of such a frame in a stream, and of the bytes after a frame in one packet."""
 _ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also this frame of an EV3"
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from support.messages import tone, voltage, volts
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
 from support.wireshark import Tshark
+
+import ev3proto
 
 UNLOCK = b"GET /target?sn=0016530a0b0c VMTP1.0\nProtocol: EV3\n\n"
 SELF = "this is a frame whose length counts its own two bytes: it says %d, the size of all that was sent"
@@ -26,20 +29,24 @@ def counting_itself(frame: bytes) -> bytes:
     return len(frame).to_bytes(2, "little") + frame[2:]
 
 
-def test_a_length_that_counts_itself_is_named(tshark: Tshark) -> None:
+@pytest.mark.parametrize("link", [RAW_IP, HCI_WITH_DIRECTION])
+def test_a_length_that_counts_itself_is_named(tshark: Tshark, link: int) -> None:
     """The first fault of many libraries: the brick waits for two more bytes, and answers to the first command."""
+    capture = Capture(link)
+    over_tcp = link == RAW_IP
+    wrong, right = (
+        Connection(capture, 10_000 + number) if over_tcp else SerialPort(capture, connection=number)
+        for number in range(2)
+    )
+    for way in (wrong, right):
+        way.send(UNLOCK if over_tcp else tone(1))
+    first = wrong.send(counting_itself(voltage(20)))
+    second = wrong.send(counting_itself(voltage(21)))
+    reply = wrong.receive(bytes.fromhex("0300 1400 04"))
+    third = wrong.send(counting_itself(voltage(22)))
+    wrong.send(counting_itself(voltage(23)))
+    controls = [right.send(voltage(1)[:7]), right.send(voltage(1)[7:]), right.receive(volts(1))]
     for words in ((), ("-2",)):
-        capture = Capture(RAW_IP)
-        wrong = Connection(capture, 10_000)
-        wrong.send(UNLOCK)
-        first = wrong.send(counting_itself(voltage(20)))
-        second = wrong.send(counting_itself(voltage(21)))
-        reply = wrong.receive(bytes.fromhex("0300 1400 04"))
-        third = wrong.send(counting_itself(voltage(22)))
-        wrong.send(counting_itself(voltage(23)))
-        right = Connection(capture, 10_001)
-        right.send(UNLOCK)
-        controls = [right.send(voltage(1)[:7]), right.send(voltage(1)[7:]), right.receive(volts(1))]
         found = shown(tshark, capture, *words)
         assert any(line.startswith(f"at offset 0: {SELF % 10}") for line in found[second][1])
         assert any((LEFT_OVER % "8 bytes") in line for line in found[second][1])
@@ -47,8 +54,16 @@ def test_a_length_that_counts_itself_is_named(tshark: Tshark) -> None:
         assert not [line for line in found[reply][1] if "not seen" in line]
         assert any(line.startswith(f"at offset 0: {SELF % 10}") for line in found[third + 1][1])
         assert not [line for _, lines in found.values() for line in lines if line == GAP]
-        assert not [line for number in controls for line in found[number][1]]
-        assert found[first][1] == []
+        assert not [line for number in (first, *controls) for line in found[number][1] if "offset" in line]
+    decoded = list(ev3proto.read(tshark.folder / "boundaries.pcap"))
+    notes = {each.number: each.note for each in decoded if isinstance(each, ev3proto.Record) and each.note}
+    assert {number: note.partition(";")[0] for number, note in notes.items()} == dict.fromkeys(
+        (second, third + 1), SELF % 10
+    )
+    (answer,) = (each for each in decoded if isinstance(each, ev3proto.Record) and each.number == reply)
+    assert answer.request is not None
+    problems = [each.message.partition(": ")[2] for each in decoded if isinstance(each, ev3proto.Problem)]
+    assert problems == [LEFT_OVER % "8 bytes"] * 2
 
 
 def test_bytes_after_a_frame_are_the_senders(tshark: Tshark) -> None:

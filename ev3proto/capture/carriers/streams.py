@@ -133,7 +133,9 @@ class Stream:
             time_ns = times[numbers[0] if len(numbers) == 1 else max(numbers)]
             if kind is PartKind.FRAME:
                 account.frames += size
-                events.append(self._conversation.record(data, numbers, time_ns, route))
+                record = self._conversation.record(data, numbers, time_ns, route)
+                record.note = reason or record.note
+                events.append(record)
             elif kind is PartKind.POLL:
                 account.padding += size
             elif kind is PartKind.LOST:

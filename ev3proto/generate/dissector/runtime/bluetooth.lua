@@ -117,7 +117,7 @@ do
             if #text < HEADER_SIZE or part and #text < stream.look_at then return part end
             -- A frame that arrives byte by byte is not examined again at each byte.
             stream.look_at = floor(#text * 1.25) + 1
-            if not is_length(text, 0) then return false end
+            if not is_length(text, 0) or finding.slip_of(text, 0, #stream.list == 1 and joint) then return false end
             return finding.judge_split(text, 0, accepts, joint) == PART
         end
         local place, following = finding.find_step(text, 0, accepts, 0, 0)
@@ -201,6 +201,7 @@ do
                 step = packet.step or "likely",
                 start = packet.start,
                 joint = before and #before or 0,
+                sent = before and packet.earlier == 1 and #before,
                 first = not before and 0,
                 may_gap = true,
                 accepts = packet.accepts,

@@ -176,6 +176,20 @@ do
         return open
     end
 
+    -- Returns what is wrong with the length field of a frame that ends in the newest packet, which starts at `sent`: it
+    -- counts its own two bytes if it is the size of all that was sent before, and only without the two bytes from that
+    -- the frame makes sense; else nil.
+    function finding.slip_of(text, at, sent)
+        local length = reading.unsigned16(text, at)
+        local right = length and length - LENGTH_FIELD
+        if not sent or length ~= sent - at or right < MIN_LENGTH or stop_of(text, at) > #text then return nil end
+        if claiming.is_sensible(messages.read(sub(text, at + 1, stop_of(text, at)))) then return nil end
+        local head = string.char(right % 0x100, floor(right / 0x100))
+        local meant = messages.read(head .. sub(text, at + LENGTH_FIELD + 1, at + length))
+        local said = { length = length, more = LENGTH_FIELD }
+        return claiming.is_sensible(meant) and phrases.filled(SLIPS.length_self, said) or nil
+    end
+
     -- Judges a frame that seems to be split over several packets, with possible gaps between them: OURS, PART, or nil.
     -- The newest packet starts at `joint`.
     function finding.judge_split(text, at, accepts, joint, is_last)
@@ -197,6 +211,8 @@ do
         local inside, following_inside = finding.find_step(text, is_sound and joint or at + 1, accepts, 0, joint)
         local is_inside = inside and inside < stop
         if is_inside and following_inside then return nil end
-        return not is_last and following == 0 and (is_inside or not is_sound) and PART or OURS
+        -- A header after a frame without a fault confirms it, two do after another.
+        local is_open = is_inside and following <= (is_sound and 0 or 1) or following == 0 and not is_sound
+        return is_open and not is_last and PART or OURS
     end
 end

@@ -89,8 +89,8 @@ do
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
-            return format("%s; the frame before ends here by its length field, %s before the end of what was sent",
-                reason, phrases.plural(left_over, "byte"))
+            local said = { bytes = phrases.plural(left_over, "byte") }
+            return reason .. "; " .. phrases.filled(SLIPS.left_over, said)
         elseif is_possible or is_lost then
             return "bytes that are in no frame, as after a gap in the capture"
         end
@@ -144,6 +144,7 @@ do
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if step == "lost" or stop and not is_length(text, at) then return nil end
+        if finding.slip_of(text, at, stream.sent) then return OURS end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
@@ -162,18 +163,6 @@ do
         return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
     end
 
-    -- Returns what is wrong with the length field of a frame that ends in another packet than the one it starts with:
-    -- it counts its own two bytes if it is the size of all that was sent before the newest packet, and only without
-    -- the two bytes from that the frame makes sense.
-    local function slip_of(message, at, joint)
-        local length = message.size - LENGTH_FIELD
-        local right = length - LENGTH_FIELD
-        if length ~= joint - at or right < MIN_LENGTH or claiming.is_sensible(message) then return nil end
-        local head = string.char(right % 0x100, floor(right / 0x100))
-        local meant = messages.read(head .. sub(message.text, LENGTH_FIELD + 1, length))
-        return claiming.is_sensible(meant) and format(SLIPS.length_self, length, LENGTH_FIELD) or nil
-    end
-
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
     -- `stream` has
@@ -183,6 +172,7 @@ do
     --              "lost" if it must be searched for
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
+    --   sent       the same, if what was sent before can be all of a frame
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
@@ -220,7 +210,7 @@ do
                 local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
                 local place = storage.place_of(number, start + at)
                 local message = messages.read(frame)
-                if at < stream.joint and not stream.may_gap then message.slip = slip_of(message, at, stream.joint) end
+                message.slip = finding.slip_of(text, at, stream.sent)
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
                 said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
@@ -232,7 +222,8 @@ do
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
                     local is_lost, place = step == "lost", storage.place_of(number, start + at)
-                    local is_after = not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                    local is_after = at == no_frame_at
+                        or not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
                     local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
                     after, is_open = next_step(

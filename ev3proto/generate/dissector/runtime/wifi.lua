@@ -153,6 +153,7 @@ do
                     step = step,
                     start = done,
                     joint = joint,
+                    sent = joint,
                     first = 0,
                     accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
                         or comes_from_brick,

@@ -291,7 +291,8 @@ class Cutter:
 
     def _take_slip(self, buffer: bytes, at: int, end: int, found: list[StreamPart]) -> int:
         """Adds a frame whose length counts itself, and the rest of the packet. Returns the offset after them."""
-        found.append(self._piece(PartKind.FRAME, at, end, LENGTH_SELF.format(length=end - at - LENGTH_FIELD, more=LENGTH_FIELD)))
+        said = LENGTH_SELF.format(length=end - at - LENGTH_FIELD, more=LENGTH_FIELD)
+        found.append(self._piece(PartKind.FRAME, at, end, said))
         self._learn(PartKind.FRAME)
         if end < len(buffer):
             left = LEFT_OVER.format(bytes=counted(len(buffer) - end, "byte"))

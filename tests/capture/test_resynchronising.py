@@ -24,8 +24,8 @@ SIZES = {"bytes": (1, 5), "pieces": (1, 20), "parts": (8, 60), "segments": (50, 
 # frame are missing, the rest may well look like a frame that ends in the next one.
 LEAST = {"tcp": 0.995, "rfcomm": 0.986}
 LEAST_IN_BYTES = {"tcp": 0.99, "rfcomm": 0.93}
-# The dissector does not get the sequence numbers: it cannot tell a gap exactly between two frames, nor how many bytes of a
-# frame come after one. It loses 12 of 1,006 messages in packets of some bytes, where the built-in reader loses 7.
+# The dissector does not get the sequence numbers: it cannot tell a gap exactly between two frames, nor how many bytes
+# of a frame come after one. It loses 12 of 1,006 messages in packets of some bytes, where the built-in reader loses 7.
 LEAST_DISSECTED = {("tcp", "bytes"): 0.987}
 MOST_INVENTED = {"tcp": 0.01, "rfcomm": 0.03}
 MOST_INVENTED_IN_BYTES = {"tcp": 0.02, "rfcomm": 0.15}

@@ -220,7 +220,7 @@ def _of_pair(data: bytes, at: int, extra: float) -> Edit:
 # The arguments of an operation
 
 
-class _Place(NamedTuple):
+class Place(NamedTuple):
     """A place where a parameter is expected."""
 
     code: CommandCode
@@ -248,7 +248,7 @@ class _Place(NamedTuple):
         return encode_integer(number) if judge(self.known, CONSTANT, number) is None else b""
 
 
-def _numbers(place: _Place) -> Iterator[Edit]:
+def _numbers(place: Place) -> Iterator[Edit]:
     """Yields the edits of a number that is not written as the brick reads it."""
     data, at = place.code.data, place.at
     for kind, size, number, extra in _readings(place) if place.takes_number else ():
@@ -257,7 +257,7 @@ def _numbers(place: _Place) -> Iterator[Edit]:
             yield Edit(kind, at, at + size, new, (*place.names, number, spaced(new)), extra)
 
 
-def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
+def _readings(place: Place) -> Iterator[tuple[str, int, int, float]]:
     """Yields numbers that may be meant by the bytes at a place: kind, number of bytes, number, further cost."""
     yield from _raw(place)
     data, at, argument = place.code.data, place.at, place.argument
@@ -270,7 +270,8 @@ def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
         yield "label", 1 + _LABELS[first], number, 0.5 if is_label else 0.0
     width = _WIDTHS.get(first, 0)
     if width > 1:
-        yield "swapped", 1 + width, int.from_bytes(after[:width], "big", signed=True), 0.0
+        number = int.from_bytes(after[:width], "big", signed=True)
+        yield "swapped", 1 + width, number, _of_swapped(number, argument)
     if width and argument is not None and not place.number(int(argument.value)):
         for bits in (8, 16):
             number = int(argument.value) - (1 << bits)
@@ -278,17 +279,29 @@ def _readings(place: _Place) -> Iterator[tuple[str, int, int, float]]:
                 yield "sign", 1 + width, number, 0.0
 
 
-def _raw(place: _Place) -> Iterator[tuple[str, int, int, float]]:
+def _of_swapped(number: int, argument: Argument | None) -> float:
+    """Returns what speaks against swapped bytes: a number that is larger than what is there."""
+    value = int(argument.value) if argument is not None else number
+    return 1.5 if 0 <= value < number or number < 0 <= value else 0.0
+
+
+def _raw(place: Place) -> Iterator[tuple[str, int, int, float]]:
     data, at = place.code.data, place.at
-    is_argument = data[at] < _SHORT or data[at] in (*_WIDTHS, _LCS)
+    # A negative number of one byte is rarely meant as a positive one.
+    is_argument = 3.0 if data[at] < _SHORT or data[at] in (*_WIDTHS, _LCS) else 0.5 if data[at] < 2 * _SHORT else 0.0
     for width in (1,) if place.known.parameter.type is Type.DATA8 else (1, 2):
         for is_signed in (False, True):
             number = int.from_bytes(data[at : at + width], "little", signed=is_signed)
             if len(encode_integer(number)) >= width and (number < 0) == is_signed:
-                yield "raw", width, number, 0.5 * (width == 2) + 3.0 * is_argument + 1.0 * is_signed
+                yield "raw", width, number, 0.5 * (width == 2) + is_argument + _oddness(number, width)
 
 
-def _width(place: _Place) -> Iterator[Edit]:
+def _oddness(number: int, width: int) -> float:
+    """Returns the cost of a number that people rarely write in some bytes: negative, too large, or not round."""
+    return 1.0 * (number < 0) + 1.5 * (number >= 1 << 15 and width == 2) + 0.3 * (number % 5 > 0)
+
+
+def _width(place: Place) -> Iterator[Edit]:
     first = place.code.data[place.at]
     for other, width in _WIDTHS.items() if place.takes_number and first in _WIDTHS else ():
         if other != first:
@@ -296,7 +309,7 @@ def _width(place: _Place) -> Iterator[Edit]:
             yield Edit("width", place.at, place.at + 1, bytes((other,)), words, 1.0 if _LC4 in (first, other) else 0.0)
 
 
-def _text(place: _Place) -> Iterator[Edit]:
+def _text(place: Place) -> Iterator[Edit]:
     data, at = place.code.data, place.at
     if not place.known.is_text or place.known.parameter.direction is not Direction.IN:
         return
@@ -313,7 +326,7 @@ def _text(place: _Place) -> Iterator[Edit]:
         yield Edit("length-84", at, at + 1, bytes((_LCS,)), place.names)
 
 
-def _floats(place: _Place) -> Iterator[Edit]:
+def _floats(place: Place) -> Iterator[Edit]:
     """Yields the edits of a float that is not written as the brick reads it."""
     argument, at, data = place.argument, place.at, place.code.data
     if place.known.parameter.type is not Type.DATAF or place.known.parameter.is_output:
@@ -337,7 +350,7 @@ def _float(data: bytes) -> float:
     return float(struct.unpack("<f", data)[0]) if len(data) == 4 else 0.0
 
 
-def _aligned(place: _Place) -> Iterator[Edit]:
+def _aligned(place: Place) -> Iterator[Edit]:
     code, at, argument, known = place.code, place.at, place.argument, place.known
     if argument is None or not argument.is_variable or argument.form.width:
         return
@@ -349,7 +362,7 @@ def _aligned(place: _Place) -> Iterator[Edit]:
         yield Edit("aligned", at, place.end, new, words, 0.3 if other > index else 0.0)
 
 
-def _result(place: _Place) -> Iterator[Edit]:
+def _result(place: Place) -> Iterator[Edit]:
     """Yields the edits of a result that is stored in no variable, or in one that no reply carries."""
     code, at, known = place.code, place.at, place.known
     first = code.data[at]
@@ -369,7 +382,7 @@ def _result(place: _Place) -> Iterator[Edit]:
                 yield Edit("variable", at, at + 1, new, words, 0.5 if scope == LOCAL else 0.0)
 
 
-def _lost(place: _Place) -> Iterator[Edit]:
+def _lost(place: Place) -> Iterator[Edit]:
     argument, at, data = place.argument, place.at, place.code.data
     if argument is None:
         width = _WIDTHS.get(data[at], 0)
@@ -424,7 +437,7 @@ def operation_edits(code: CommandCode, start: int, reading: Reading) -> Iterator
         if known is None:
             continue
         end = ends[number + 1] if argument is not None else min(at + 1, size)
-        place = _Place(code, facts.name, known, at, end, argument, len(facts.parameters) - number - 1)
+        place = Place(code, facts.name, known, at, end, argument, len(facts.parameters) - number - 1)
         yield from _of_place(place, arguments, number, ends)
 
 
@@ -507,17 +520,20 @@ def _expected(facts: OperationFacts, number: int, argument: Argument | None) -> 
     return facts.parameters[number] if number < len(facts.parameters) else None
 
 
-def _of_place(place: _Place, arguments: list[Argument], number: int, ends: list[int]) -> Iterator[Edit]:
-    at, end, data = place.at, place.end, place.code.data
+def argument_edits(place: Place, arguments: list[Argument]) -> Iterator[Edit]:
+    """Yields the edits at the place of an argument; `arguments` are those of its operation that can be read."""
     is_layer = place.known.parameter.role is Role.LAYER
     new = b"\0" if is_layer else _filler(place.known, place.code, arguments)
     extra = (-1.0 if is_layer else 0.1 * min(place.following, 3)) + (0.3 if place.argument is None else 0.0)
-    yield Edit("missing", at, at, new, place.names, extra, 0 if is_layer else len(new))
-    if at >= len(data):
-        return
-    for edits in _AT_ARGUMENT:
+    yield Edit("missing", place.at, place.at, new, place.names, extra, 0 if is_layer else len(new))
+    for edits in _AT_ARGUMENT if place.at < len(place.code.data) else ():
         yield from edits(place)
-    if place.argument is None:
+
+
+def _of_place(place: Place, arguments: list[Argument], number: int, ends: list[int]) -> Iterator[Edit]:
+    at, end, data = place.at, place.end, place.code.data
+    yield from argument_edits(place, arguments)
+    if place.argument is None or at >= len(data):
         return
     is_twice = data[at:end] == data[end : end + end - at] and number + 1 < len(arguments)
     yield Edit("extra", at, end, b"", place.names, -1.0 if is_twice else 0.0)
@@ -562,56 +578,6 @@ def _shorter(code: CommandCode, schema: OperationSchema) -> Iterator[OperationSc
         other = code.set.opcodes[number]
         if other is not None and wanted and [one.name for one in other.declaration.parameters] == wanted:
             yield other
-
-
-# The same everywhere
-
-
-def whole_edits(code: CommandCode) -> Iterator[Edit]:
-    """Yields the edits of all operations at once: a slip out of habit."""
-    yield from _no_layers(code)
-    yield from _all_swapped(code)
-
-
-def _no_layers(code: CommandCode) -> Iterator[Edit]:
-    data, at = code.data, COMMAND_HEADER_SIZE
-    new, names = b"", []
-    while at < len(data):
-        local, place = data[at:], 1
-        schema, family = code.set.opcodes[data[at]], code.set.families[data[at]]
-        if family is not None:
-            schema, place = family.short.get(data[at + 1] if at + 1 < len(data) else -1), 2
-        is_missing = schema is not None and any(one.role is Role.LAYER for one in schema.declaration.parameters[:1])
-        if is_missing and schema is not None:
-            local = local[:place] + b"\0" + local[place:]
-            names.append(schema.declaration.name)
-        reading = code.read(local, 0)
-        if reading.is_fault:
-            return
-        new += local[: reading.end]
-        at += reading.end - is_missing
-    if len(names) > 1:
-        yield Edit("no-layers", COMMAND_HEADER_SIZE, len(data), new, (len(names), names[0]))
-
-
-def _all_swapped(code: CommandCode) -> Iterator[Edit]:
-    numbers = [
-        one
-        for _, reading in code.first
-        for one in reading.arguments
-        if one.encoding == "LC2" and not one.parameter.is_output
-    ]
-    if len(numbers) < 2:
-        return
-    new, extra = bytearray(code.data), 0.0
-    for one in numbers:
-        new[one.offset + 1 : one.offset + 3] = one.raw[:0:-1]
-        meant = int.from_bytes(one.raw[1:], "big", signed=True)
-        extra += -0.75 if 0 <= meant < int(one.value) or int(one.value) < 0 <= meant else 1.0
-    at, end = numbers[0].offset, numbers[-1].offset + 3
-    raw = numbers[0].raw[1:]
-    words = (len(numbers), spaced(raw[::-1]), int.from_bytes(raw, "big", signed=True))
-    yield Edit("all-swapped", at, end, bytes(new[at:end]), words, extra)
 
 
 # System commands

@@ -27,8 +27,8 @@ from ev3proto.checking.edits import (
     spaced,
     stated_size,
     system_edits,
-    whole_edits,
 )
+from ev3proto.checking.habits import ELSEWHERE, habitual
 from ev3proto.checking.report import Report, Suggestion
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
 from ev3proto.errors import counted
@@ -44,7 +44,7 @@ from ev3proto.schema.header import (
 )
 from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
 from ev3proto.semantics.identify import NOTHING, Kind, foreign, identify
-from ev3proto.semantics.likelihood import FAULT, CommandCode
+from ev3proto.semantics.likelihood import CommandCode
 from ev3proto.semantics.mangled import Mangled, mangled
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageType
 
@@ -55,9 +55,9 @@ _MOST = 8.0  # the cost above which nothing is said: too many other slips are as
 _MARGIN = 0.4  # how much better than silence
 _CLEAR = 1.1  # how much better than all others a fix is
 _LESS_WITH_MEMORY = 2.0  # how much less a candidate costs for which other memory is requested
+_LIKELY = 0.5  # the further cost of an edit below which a slip is likely at its place
 _TIE = 0.7  # the difference up to which two are equally likely
-_REPEATED, _MOST_REPEATED = 0.7, 8  # the cost of the same slip again, and how often it is looked for
-_FIRSTS, _MOST_OF_FIRST = 5, 5.0  # first edits after which the same slip is looked for, and their cost at most
+_MOST_OF_FIRST = 5.0  # the cost of one slip from which on the same slip in several places is looked for
 _OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
 _COPIED = -1.5  # the length was right before a slip in copying
 _MOST_OF_REPLY = 11  # the cost of a long reply where commands are expected
@@ -214,8 +214,9 @@ class _Search:
             doubt += min(len(self._frame) - HEADER_SIZE, _MOST_OF_REPLY)
         found = self._best(self._frame)
         right = [one for one in found if one.is_right and not (is_good_reply and _is_reply(one.candidate.frame))]
-        if doubt >= FAULT and (not right or right[0].doubt > _MOST_OF_FIRST):
-            right = sorted([*right, *self._repeated(found)], key=_by_cost)
+        if doubt >= _MOST_OF_FIRST and (not right or right[0].doubt > _MOST_OF_FIRST or _kind(right[0]) in HABITS):
+            habits = list(self._habits())
+            right = sorted([*(_once(one, habits) for one in right), *habits], key=_by_cost)
         if not right or right[0].cost > rarity + doubt - _MARGIN or right[0].doubt > _MOST:
             return ()
         others = [one for one in right if one.cost <= right[0].cost + _TIE and _place(one) != _place(right[0])]
@@ -264,10 +265,10 @@ class _Search:
         is_right = is_right and (not self._report.accepted or all(one.is_told for one in dangers))
         return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
 
-    def _best(self, frame: bytes, before: _Candidate | None = None) -> list[_Judged]:
-        """Returns the best candidates one edit away, as `check` judges them; after another, those of the same kind."""
+    def _best(self, frame: bytes) -> list[_Judged]:
+        """Returns the best candidates one edit away, as `check` judges them."""
         best: dict[bytes, _Candidate] = {}
-        for one in self._candidates(frame, before):
+        for one in self._candidates(frame):
             other = best.get(one.frame)
             if len(one.frame) < _SHORTEST:
                 continue
@@ -285,35 +286,33 @@ class _Search:
                 most = min(most, found[-1].cost + _CLEAR + _LESS_WITH_MEMORY)
         return sorted(found, key=_by_cost)
 
-    def _repeated(self, found: list[_Judged]) -> Iterator[_Judged]:
-        """Yields right frames that several edits of one kind lead to: a slip out of habit."""
-        for first in [one for one in found if one.candidate.edits[0].kind in HABITS][:_FIRSTS]:
-            last, is_guess = first, first.candidate.edits[0].guess
-            while last.candidate.price <= _MOST_OF_FIRST + _REPEATED * _MOST_REPEATED and not is_guess:
-                after = self._best(last.candidate.frame, last.candidate)
-                if not after:
-                    break
-                if after[0].is_right:
-                    yield after[0]
-                if after[0].is_right or after[0].doubt >= last.doubt:
-                    break
-                last = after[0]
+    def _habits(self) -> Iterator[_Judged]:
+        """Yields right frames that edits of one kind in several places lead to: a slip out of habit."""
+        frame = self._frame
+        if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
+            return
+        for edits, price, read in habitual(CommandCode(frame, self._dialect)):
+            new = frame
+            for edit in reversed(edits):
+                new = new[: edit.at] + edit.new + new[edit.end :]
+            new, other = self._resized(frame, new)
+            judged = self._judged(_Candidate(edits, price + other, read, new))
+            if judged.is_right:
+                yield judged
 
     # Candidates
 
-    def _candidates(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
-        """Yields the candidates one edit away; after another candidate, those of the same kind."""
-        if before is None:
-            yield from self._with_other_length(frame)
-            for edit in header_edits(frame):
-                yield self._with_header(frame, edit)
+    def _candidates(self, frame: bytes) -> Iterator[_Candidate]:
+        """Yields the candidates one edit away."""
+        yield from self._with_other_length(frame)
+        for edit in header_edits(frame):
+            yield self._with_header(frame, edit)
         if len(frame) <= COMMAND_HEADER_SIZE:
             return
         if frame[TYPE_AT] in DIRECT:
-            if before is None:
-                yield from self._with_other_memory(frame)
-            yield from self._with_code(frame, before)
-        elif frame[TYPE_AT] in SYSTEM and before is None:
+            yield from self._with_other_memory(frame)
+            yield from self._with_code(frame)
+        elif frame[TYPE_AT] in SYSTEM:
             for edit in system_edits(frame):
                 new, price = self._applied(frame, edit)
                 yield _Candidate((edit,), price, 0.0, new)
@@ -326,11 +325,17 @@ class _Search:
             edit.kind == "left-over" and stated_size(frame) == len(new)
         ):
             return new, price
-        if edit.kind == "length-half" or stated_size(frame) == len(frame):
+        if edit.kind == "length-half":
             return sized(new[LENGTH_FIELD:]), price
-        if stated_size(frame) == len(new):
-            return new, price + _COPIED
-        return sized(new[LENGTH_FIELD:]), price + _OTHER_LENGTH
+        new, other = self._resized(frame, new)
+        return new, price + other
+
+    def _resized(self, frame: bytes, new: bytes) -> tuple[bytes, float]:
+        """Returns what a frame became, with a length that fits, and what the given one speaks for or against it."""
+        stated = stated_size(frame)
+        if stated == len(new) and stated != len(frame):
+            return new, _COPIED
+        return sized(new[LENGTH_FIELD:]), 0.0 if stated == len(frame) else _OTHER_LENGTH
 
     def _read(self, frame: bytes) -> float:
         """Returns the cost of a frame's code."""
@@ -392,11 +397,8 @@ class _Search:
             new = whole[:TYPE_AT] + reply + whole[HEADER_SIZE:]
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
 
-    def _with_code(self, frame: bytes, before: _Candidate | None) -> Iterator[_Candidate]:
+    def _with_code(self, frame: bytes) -> Iterator[_Candidate]:
         code = CommandCode(frame, self._dialect)
-        for edit in whole_edits(code) if before is None else ():
-            new, price = self._applied(frame, edit)
-            yield _Candidate((edit,), price, self._read(new), new)
         costs = [reading.cost for _, reading in code.first]
         is_clean = max(costs, default=0.0) < _SUSPICIOUS
         for number in _suspicious(code, costs):
@@ -404,22 +406,14 @@ class _Search:
             for edit in operation_edits(code, start, reading):
                 if self._unread <= 0:
                     return
-                if before is not None and edit.kind != before.edits[0].kind:
-                    continue
                 self._unread -= reading.end - start + 4
                 cost = code.edited(start, edit.at, edit.end, edit.new, is_guess=edit.guess > 0)
-                if cost is not None:
-                    yield self._with_edit(frame, edit, sum(costs[:number]) + cost, before, is_clean=is_clean)
-
-    def _with_edit(
-        self, frame: bytes, edit: Edit, read: float, before: _Candidate | None, *, is_clean: bool
-    ) -> _Candidate:
-        new, price = self._applied(frame, edit)
-        if before is not None:
-            return _Candidate((*before.edits, edit), before.price + _REPEATED, read, new)
-        if is_clean and edit.guess:
-            price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
-        return _Candidate((edit,), price, read, new)
+                if cost is None:
+                    continue
+                new, price = self._applied(frame, edit)
+                if is_clean and edit.guess:
+                    price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
+                yield _Candidate((edit,), price, sum(costs[:number]) + cost, new)
 
 
 def _weight(code: str, frame: bytes) -> float:
@@ -434,6 +428,18 @@ def _is_reply(frame: bytes) -> bool:
 
 def _by_cost(one: _Judged) -> float:
     return one.cost
+
+
+def _kind(one: _Judged) -> str:
+    return one.candidate.edits[0].kind
+
+
+def _once(one: _Judged, habits: list[_Judged]) -> _Judged:
+    """Returns a candidate with one slip; it is dearer if the same slip is as likely in other places."""
+    edit = one.candidate.edits[0]
+    alike = [habit.candidate.edits for habit in habits if edit in habit.candidate.edits]
+    is_likely = any(sum(other.extra < _LIKELY for other in edits) > 1 for edits in alike)
+    return one._replace(cost=one.cost + ELSEWHERE, doubt=one.doubt + ELSEWHERE) if is_likely else one
 
 
 def _place(one: _Judged) -> object:

@@ -131,11 +131,6 @@ SLIPS = {
         "0900 0100 00 0400 81 01 8160", _BATTERY),
     "variable": Slip(3, "{0} of {1} is a result, which needs a variable: {2} is written {3}",
         "0800 0100 00 0400 81 01 00", _BATTERY),
-    # The same everywhere.
-    "no-layers": Slip(3.5, "LAYER is missing in {0} operations, such as {1}",
-        "0B00 0100 80 0000 A5 01 8132 A6 01", _SPEED),
-    "all-swapped": Slip(3.5, "the bytes of all {0} numbers of two bytes are swapped: {2} is {1}, the low one first",
-        "0E00 0100 80 0000 94 01 02 8203E8 8201F4", _TONE),
     # Copying.
     "doubled": Slip(5, "the byte {0:02X} is there twice",
         "0F00 0100 80 0000 94 01 02 8282E803 82F401", _TONE),

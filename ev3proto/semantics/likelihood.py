@@ -195,12 +195,14 @@ class CommandCode:
         return Reading(one.end, cost, one.schema, one.arguments, one.is_fault)
 
     def _cost(self, schema: OperationSchema, found: list[Argument]) -> float:
-        facts, memory = operation_facts(schema), self.memory
-        costs = [
-            (_of_variable if one.is_variable else _of_constant)(facts.of(number, one.parameter), one, memory)
-            for number, one in enumerate(found)
-        ]
-        return rarity(schema) + sum(costs)
+        facts = operation_facts(schema)
+        return rarity(schema) + sum(
+            [self.cost_of(facts.of(number, one.parameter), one) for number, one in enumerate(found)]
+        )
+
+    def cost_of(self, known: ParameterFacts, argument: Argument) -> float:
+        """Returns the cost of an argument of a parameter."""
+        return (_of_variable if argument.is_variable else _of_constant)(known, argument, self.memory)
 
     def rest(self, at: int = COMMAND_HEADER_SIZE) -> float:
         """Returns the cost of everything from an offset on."""

@@ -80,6 +80,20 @@ def test_a_habit_is_said_once() -> None:
     assert one.frame[7:] == bytes.fromhex("94 01 02 82 E8 03 82 F4 01 96 94 01 02 82 0B 02 82 F4 01")
 
 
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        ("94 01 50 68 01 78", "94 01 8150 826801 8178"),
+        ("84 18 01 50 64 19 84 09 01 64 64 3C 28 84 00", "84 18 01 8150 8164 19 84 09 01 8164 8164 813C 8128 84 00"),
+        ("A5 01 8132 A6 01", "A5 00 01 8132 A6 00 01"),
+    ],
+)
+def test_a_slip_out_of_habit(wrong: str, right: str) -> None:
+    first = code(wrong)[0]
+    assert first.frame[7:] == bytes.fromhex(right)
+    assert "; the same in " in first.message
+
+
 def test_a_length_in_decimal_names_both_forms() -> None:
     (one,) = nearest("1500 0000 80 0000 94 01 8102 82E803 82E803")
     assert one.message == "the length is written in hex: 15 is 0F 00, but 15 00 is 21"

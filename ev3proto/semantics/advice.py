@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 from ev3proto.semantics.identify import Identity, Kind
 from ev3proto.system import writemailbox
+from ev3proto.tables.strangers import LINES
 
 _MAILBOX = "abc"
 """The mailbox of the example: the name that LEGO's Messaging block begins with."""
@@ -33,7 +36,7 @@ _ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also
 def advice(found: Identity) -> str | None:
     """Returns a sentence about bytes that are not a frame; None for any other, and for one that was cut."""
     if found.kind is Kind.TEXT:
-        return _of_text(found.name)
+        return strange_line(found.name) or _of_text(found.name)
     if found.kind is Kind.DIGITS and found.frame is not None:
         size = len(found.frame)
         meant = found.frame.hex(" ").upper() if size <= _MOST_SENT else f"its {size} bytes"
@@ -41,6 +44,12 @@ def advice(found: Identity) -> str | None:
     if found.kind is Kind.SLIP:
         return SLIPS.get(found.name)
     return _SAID[found.kind].format(found.name) if found.kind in _SAID else None
+
+
+def strange_line(line: str) -> str | None:
+    """Returns what a line without a frame is about, as a sentence; None for any other."""
+    found = (one for one in LINES if one.mark in line and re.search(one.pattern, line, re.IGNORECASE))
+    return next((one.says for one in found), None)
 
 
 def other_reading(found: Identity) -> str | None:

@@ -1,4 +1,4 @@
-"""The telegrams of LEGO's other products, which people send to an EV3 or take for its frames."""
+"""What people send to an EV3 or take for its frames: telegrams of LEGO's other products, and lines of text."""
 
 from __future__ import annotations
 
@@ -97,3 +97,73 @@ HUB = {
     0x82: Telegram("port output command feedback", rb"(?:.[\0-\x1f])+"),
 }
 """The messages of LEGO's Wireless Protocol 3.0 by their type: all bytes counted, the hub (0), the type, contents."""
+
+
+class StrangeLine(NamedTuple):
+    """A line of text that people paste as if it had a frame.
+
+    Example:
+    mark     a part of every such line, which is looked for first
+    pattern  what else it has
+    says     what it is
+    """
+
+    example: str
+    mark: str
+    pattern: str
+    says: str
+
+
+_HANDSHAKE = (
+    "this is the text that unlocks a brick on WiFi, not a frame; frames follow the brick's answer, Accept:EV340"
+)
+_BEACON = (
+    "this is the beacon with which a brick announces itself on WiFi, not a frame: it names the TCP port for frames"
+)
+_HUB = "this is about LEGO's Wireless Protocol, for hubs with Bluetooth Low Energy; an EV3 does not have it"
+_PYBRICKS = "this is about Pybricks, a firmware with a protocol of its own; its hubs do not take frames of an EV3"
+_PYTHON = "bytes(data).hex(' ')"
+
+
+def _printed(example: str, mark: str, pattern: str, language: str, how: str) -> StrangeLine:
+    """Returns the row of an object that was printed in place of its bytes."""
+    says = f"this is what {language} prints for an array, not its bytes; print {how}"
+    return StrangeLine(example, mark, pattern, says)
+
+
+LINES = (
+    StrangeLine("GET /target?sn=0016533f0c1e", "/target", r"GET /target\?sn=", _HANDSHAKE),
+    StrangeLine("Accept:EV340", "EV340", r"Accept:\s?EV340", _HANDSHAKE),
+    StrangeLine("Protocol VMTP1.0", "VMTP", r"VMTP1\.0", _HANDSHAKE),
+    StrangeLine("47 45 54 20 2f 74", "47", r"\W{0,4}(?:0x)?".join(["47", "45", "54", "20", "2f", "74"]), _HANDSHAKE),
+    StrangeLine("Serial-Number: 0016533f0c1e", "erial-", r"Serial-Number:\s?[0-9a-f]{12}", _BEACON),
+    StrangeLine("00001624-1212-efde-1623-785feabcd123", "-1212-", r"0000162[34]-1212-efde-162[34]-785feabcd123", _HUB),
+    StrangeLine(
+        "c5f50002-8280-46da-89f4-6d8051e4aeef", "-8280-", r"c5f5000[1-3]-8280-46da-89f4-6d8051e4aeef", _PYBRICKS
+    ),
+    StrangeLine("from pybricks.hubs import EV3Brick", "pybricks", r"\b(?:from|import) pybricks\b", _PYBRICKS),
+    _printed("[B@40e3f9b8", "@", r"\[(?:[BCIS]|Ljava\.lang\.Byte;)@[0-9a-f]{5,8}\b", "Java", "Arrays.toString(bytes)"),
+    _printed("HeapByteBuffer[pos=0 lim=9]", "Buffer[", r"ByteBuffer\[pos=", "Java", "Arrays.toString(buffer.array())"),
+    _printed(
+        "System.Byte[]",
+        "System.",
+        r"\bSystem\.[\w.`<\[]*S?Byte[\[\]>]",
+        ".NET",
+        "BitConverter.ToString(bytes.ToArray())",
+    ),
+    _printed("[object Blob]", "[object", r"\[object \w+\]", "JavaScript", "new Uint8Array(buffer).join(' ')"),
+    _printed("<memory at 0x7f2b8c>", "<memory", r"<memory at 0x", "Python", _PYTHON),
+    _printed("<zip object at 0x7f2b>", "object at", r"<[\w. ]+ object at 0x", "Python", _PYTHON),
+    _printed(
+        "table: 0x5581c3a0", ": 0x", r"(?<!\w)(?:table|userdata): 0x[0-9a-f]{6,}", "Lua", "table.concat(bytes, ' ')"
+    ),
+    _printed("ARRAY(0x55d0c8a3f0)", "ARRAY(", r"\bARRAY\(0x[0-9a-f]{6,}\)", "Perl", "join(' ', @$bytes)"),
+    _printed(
+        "Instance of 'Uint8List'",
+        "Instance",
+        r"Instance of '\w*(?:Byte|Uint8)\w*'",
+        "Dart",
+        "data.buffer.asUint8List()",
+    ),
+    _printed("#<StringIO:0x0000>", "#<", r"#<(?:Enumerator|StringIO)\b", "Ruby", "bytes.to_a"),
+)

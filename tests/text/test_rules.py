@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 from support.cases import each
 
+from ev3proto.semantics import advice
+from ev3proto.tables.strangers import LINES, StrangeLine
 from ev3proto.text.paste import elements, read_text, repairs, runs
 from ev3proto.text.paste.elements import BYTES, FORMS, Form, elements_of
 from ev3proto.text.paste.repairs import REPAIRS, Repair
@@ -54,6 +56,20 @@ def test_a_row_of_bases_is_needed_by_one_of_its_examples(row: Any) -> None:
     with without(runs, "_BY_DIGITS", row), pytest.MonkeyPatch.context() as patched:
         patched.setattr(runs, "_BY_DIGITS", (*runs._BY_DIGITS, ("", lambda _: True, ("nothing",))))
         assert [runs.Run(example).bases for example in examples] != whole
+
+
+@each("row", runs._BY_WIDTH)
+def test_a_base_that_any_digits_may_have_is_needed_by_its_example(row: Any) -> None:
+    assert [piece.data for piece in read_text([row[0]])] == [bytes.fromhex("06002a0080000001")]
+    with without(runs, "_BY_WIDTH", row):
+        assert [piece.data for piece in read_text([row[0]])] != [bytes.fromhex("06002a0080000001")]
+
+
+@each("line", LINES)
+def test_a_line_about_something_else_is_needed_by_its_example(line: StrangeLine) -> None:
+    assert [piece.problem for piece in read_text([line.example])] == [line.says]
+    with without(advice, "LINES", line):
+        assert line.says not in [piece.problem for piece in read_text([line.example])]
 
 
 @each("repair", REPAIRS)

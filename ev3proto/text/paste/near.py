@@ -13,7 +13,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_end, frame_size, may_start
-from ev3proto.semantics.identify import LOOKS, identify, is_prose
+from ev3proto.semantics.identify import LOOKS, Kind, identify, is_prose
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.elements import BYTES, MISSPELT, TextElement, clean, string_bytes
 from ev3proto.text.paste.frames import (
@@ -26,7 +26,7 @@ from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.repairs import LOOKALIKES
 from ev3proto.text.paste.runs import AROUND, Part, Row, Run
-from ev3proto.text.paste.strangers import strange_bytes, written
+from ev3proto.text.paste.strangers import strange_bytes
 
 _MOST_STARTS = 8
 _LISTS = re.compile(r"^$|[\[{(]$|<<$")
@@ -247,7 +247,7 @@ def spelt(runs: Iterable[Run]) -> str | None:
     """Returns what elements are that are the characters of a frame's digits; None for any other."""
     parts = ((run, part) for run in runs for base in run.bases[:2] for part in run.parts(base))
     between = (part.data[start:end] for run, part in parts for start, end in run.between_breaks(part))
-    return next((said for data in between if (said := written(data))), None)
+    return next((said for data in between if (said := strange_bytes(data, Kind.DIGITS))), None)
 
 
 def told(row: Row) -> str | None:

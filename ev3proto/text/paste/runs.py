@@ -199,16 +199,14 @@ _BY_DIGITS: tuple[tuple[str, Callable[[_Digits], bool], tuple[str, ...]], ...] =
 )
 """The bases of bare digits, the likeliest first: an example, what tells them; the first row that fits counts."""
 
-_BY_WIDTH = (("bits", 8), ("octal", 3), ("words", 4), ("base64", 8))
-"""The digits that one element must have to be read in a base that any digits may have."""
+_BY_WIDTH = (("006 000 052 000 200 000 000 001", "octal", 3), ("0006 002a 0080 0100", "words", 4))
+"""An example, and the digits that one element must have to be read in a base that any digits may have."""
 
 
 def _of_digits(digits: _Digits) -> tuple[str, ...]:
     bases = next(bases for _, is_so, bases in _BY_DIGITS if is_so(digits))
-    if bases == ("bits",) and len(digits.texts) > 2:
-        return bases
-    most = max(digits.widths)
-    return (*bases, *(base for base, least in _BY_WIDTH if most >= least and base not in bases))
+    others = (base for _, base, least in _BY_WIDTH if max(digits.widths) >= least)
+    return bases if bases == ("bits",) else (*bases, *others)
 
 
 def _bases(elements: Sequence[TextElement], kinds: set[str]) -> Sequence[str]:

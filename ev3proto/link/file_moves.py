@@ -10,7 +10,6 @@ import posixpath
 import secrets
 import time
 from collections.abc import Callable, Generator
-from contextlib import suppress
 from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.compose import command
@@ -79,7 +78,7 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
     """Writes a file to the brick, and compares the listed MD5. Raises SystemCommandError and TransferError.
 
     The old file stays until the new one is complete, under another name. The firmware cannot rename: FILE.MOVE deletes
-    the old file, and copies the new one.
+    the old file, and copies the new one. An error names the temporary file if it is left.
     """
     part, is_moving = _beside(path), False
     try:
@@ -93,18 +92,34 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
     except GeneratorExit:
         raise
     except BaseException as error:
-        if not is_moving or (yield from _is_there(data, path)):
-            with suppress(LinkError):
-                yield delete_file(part)
+        whole = (yield from _whole(data, path)) if is_moving else None
+        if is_moving and whole is None:
+            _tell(error, f"{path}: the brick may not have all of it; the new file is complete in {part}")
             raise
-        kept = f"{path}: the brick may not have all of it; the new file is complete in {part}"
-        if isinstance(error, LinkError):
-            raise TransferError(kept) from error
-        error.add_note(kept)
-        raise
-    with suppress(LinkError):
-        yield delete_file(part)
+        if whole is None or not isinstance(error, LinkError):
+            yield from _cleared(part, error)
+            raise
+        found = whole  # only a reply was lost
+    yield from _cleared(part)
     return found
+
+
+def _cleared(part: str, error: BaseException | None = None) -> Task[None]:
+    """Deletes the temporary file, or says that it may be left."""
+    try:
+        yield delete_file(part)
+    except LinkError as lost:
+        _tell(error or lost, f"{part}: this temporary file may be left on the brick")
+        if error is None:
+            raise
+
+
+def _tell(error: BaseException, sentence: str) -> None:
+    """Adds a sentence to an error."""
+    if isinstance(error, LinkError):
+        error.args = (f"{error}; {sentence}",)
+    else:
+        error.add_note(sentence)
 
 
 def _beside(path: str) -> str:
@@ -136,13 +151,12 @@ def _find_room(size: int, listing: Listing, path: str) -> Task[None]:
         )
 
 
-def _is_there(data: bytes, path: str) -> Task[bool]:
-    """Returns whether the brick has all of a file."""
+def _whole(data: bytes, path: str) -> Task[File | None]:
+    """Returns a file if the brick has all of it."""
     try:
-        _compare(data, (yield from _listing_of(path)), path, path)
+        return _compare(data, (yield from _listing_of(path)), path, path)
     except LinkError:
-        return False
-    return True
+        return None
 
 
 def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:

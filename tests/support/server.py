@@ -177,23 +177,23 @@ def system(number: int, body: bytes) -> bytes:
     return frame(9, 0x01, bytes((number,)) + body)
 
 
-def upload(client: Client, path: bytes, data: bytes) -> int:
-    """Sends a file to the brick in pieces; returns the last status."""
+def upload(client: Client, path: bytes, data: bytes, size: int = 1017) -> int:
+    """Sends a file to the brick in pieces of a size; returns the last status."""
     reply = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
     status, handle = reply[6], reply[7]
-    for at in range(0, len(data), 1017):
+    for at in range(0, len(data), size):
         if status not in (0,):
             break
-        status = client.ask(system(0x93, bytes((handle,)) + data[at : at + 1017]))[6]
+        status = client.ask(system(0x93, bytes((handle,)) + data[at : at + size]))[6]
     return status
 
 
-def download(client: Client, path: bytes) -> bytes:
-    """Fetches a file from the brick in pieces."""
-    reply = client.ask(system(0x94, (1000).to_bytes(2, "little") + path + b"\0"))
+def download(client: Client, path: bytes, size: int = 1000) -> bytes:
+    """Fetches a file from the brick in pieces of a size."""
+    reply = client.ask(system(0x94, size.to_bytes(2, "little") + path + b"\0"))
     handle, data = reply[11], reply[12:]
     while reply[6] == 0:
-        reply = client.ask(system(0x95, bytes((handle,)) + (1000).to_bytes(2, "little")))
+        reply = client.ask(system(0x95, bytes((handle,)) + size.to_bytes(2, "little")))
         data += reply[8:]
     assert reply[6] == 8
     return data

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.running_programs import CURRENT_SLOT, GUI_SLOT, STOPPED
 from ev3proto.brick.steps import Steps
 
-MEMORY_KB = 6000
-"""Size of the flash memory for users' files."""
+_KIB = 1024
 
 _STEP = 1 << 14
 """Bytes that are copied in one step."""
@@ -64,4 +61,4 @@ def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, s
             yield
 
 
-computes({"MEMORY_USAGE": lambda vm: (MEMORY_KB, max(0, MEMORY_KB - math.ceil(vm.brick.files.used / 1024)))})
+computes({"MEMORY_USAGE": lambda vm: (vm.brick.files.quota // _KIB, vm.brick.files.free // _KIB)})

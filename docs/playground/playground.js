@@ -4,6 +4,7 @@ import { clear, show } from "./answer.js";
 import { showBrick } from "./brick.js";
 import { offerCompletions } from "./editor.js";
 import { find, inside } from "./elements.js";
+import "./explaining.js";
 import { readFirst, showFirst } from "./input.js";
 import { begin, cancel, counted, home } from "./reading.js";
 import { realBrick } from "./real_brick.js";

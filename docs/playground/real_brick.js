@@ -7,8 +7,8 @@ import { change, follow, state } from "./state.js";
 
 const NONE = "Not connected to a real brick: what you send goes to the virtual one.";
 const MOST_TALKS = 20;
-const ELSEWHERE = "This browser reaches no real brick: it has neither WebHID nor Web Serial. Chrome, Edge and Opera on a computer or a"
-  + " Chromebook have both, on pages with https or from localhost. Chromium as a snap cannot reach USB: install Chrome, or Chromium as a package.";
+const ELSEWHERE = "This browser reaches no real brick, as it has neither WebHID nor Web Serial, which Chrome, Edge and Opera on a computer or a"
+  + " Chromebook have on pages with https or from localhost.";
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
 const CAPTURE = "./conformance.pcapng";
 const LEAVING = 1000;
@@ -19,6 +19,9 @@ const QUIET = "quiet";
 // Another page may have the right to reach bricks given to it, and could lead clicks to this one.
 const IS_FRAMED = window.top !== window.self;
 const FRAMED = "This page is in a frame of another page, so it connects to no real brick and sends nothing to one. Open it in a tab of its own.";
+
+/** The buttons that connect, each with what it needs of the browser. @type {[id: string, carrier: object | undefined][]} */
+const CONNECT = [["connect-usb", navigator.hid], ["connect-bluetooth", navigator.serial]];
 
 /** @typedef {import("./carriers.js").Wire} Wire */
 /** @typedef {import("./elements.js").Piece} Piece */
@@ -77,8 +80,8 @@ export const realBrick = (python) => {
 
   follow(({ connection, isConnecting }) => {
     document.body.dataset.connection = connection;
-    for (const id of ["connect-usb", "connect-bluetooth"]) {
-      find(id).hidden = connection !== "none";
+    for (const [id, carrier] of CONNECT) {
+      find(id).hidden = connection !== "none" || !carrier;
       find(id, HTMLButtonElement).disabled = isConnecting;
     }
     for (const id of ["disconnect", "talk"]) find(id).hidden = connection === "none";

@@ -9,7 +9,7 @@ from typing import Any
 from ev3proto.errors import counted
 from ev3proto.schema.argument import LABEL_BYTE
 from ev3proto.tables.devices import DEVICE_TYPES
-from ev3proto.tables.encoding import ADDRESS_BIT, ENCODINGS, HANDLE_BIT
+from ev3proto.tables.encoding import ADDRESS_BIT, ENCODING_TEXTS, ENCODINGS, HANDLE_BIT
 from ev3proto.tables.errors import ERRORS
 from ev3proto.text.spans import Role, Spans
 
@@ -68,32 +68,6 @@ def named_entry(name: str, number: int, kind: str, text: str, notes: Iterable[st
     return Entry(name, number, "system", kind, text, " ".join(noted), about, record)
 
 
-_ENCODINGS = {
-    "LC0": ("A number of -32 to 31 in one byte", "00 to 1F are 0 to 31, 20 to 3F are -32 to -1"),
-    "LC1": ("A number of -127 to 127 in two bytes", "the number follows: 75 is 81 4B, -100 is 81 9C"),
-    "LC2": ("A number of -32767 to 32767 in three bytes", "the number follows, low byte first: 440 is 82 B8 01"),
-    "LC4": (
-        "A number or a float in five bytes",
-        "the number follows, low byte first: 100000 is 83 A0 86 01 00; a float is the bytes of an IEEE single",
-    ),
-    "LCS": ("A text", "its characters follow in ISO-8859-1, then a zero: hi is 84 68 69 00"),
-    "LCS_OLD": ("A text, in a form that no program should send", "LCS, 84, means the same"),
-    "LV0": ("A variable in the first 32 bytes of local memory", "40 to 5F are LV(0) to LV(31)"),
-    "LV1": ("A variable in the first 256 bytes of local memory", "its place follows: LV(40) is C1 28"),
-    "LV2": ("A variable in local memory", "its place follows in two bytes, low byte first"),
-    "LV4": ("A variable in local memory", "its place follows in four bytes, low byte first"),
-    "GV0": (
-        "A variable in the first 32 bytes of global memory, which the reply carries",
-        "60 to 7F are GV(0) to GV(31)",
-    ),
-    "GV1": (
-        "A variable in the first 256 bytes of global memory, which the reply carries",
-        "its place follows: GV(40) is E1 28",
-    ),
-    "GV2": ("A variable in global memory, which the reply carries", "its place follows in two bytes, low byte first"),
-    "GV4": ("A variable in global memory, which the reply carries", "its place follows in four bytes, low byte first"),
-    "LAB1": ("A label, the target of a jump", "its number, 1 to 31, follows: label 1 is A0 01"),
-}
 _SHORTEST = {
     "LCX": ("The shortest encoding of a number", "LC0", "LC1", "LC2", "LC4"),
     "LVX": ("The shortest encoding of a local variable", "LV0", "LV1", "LV2", "LV4"),
@@ -110,7 +84,7 @@ def encoding(byte: int) -> Entry | None:
     form = ENCODINGS[byte]
     if form is None:
         return None
-    text, note = _ENCODINGS[form.name]
+    text, note = ENCODING_TEXTS[form.name]
     bits = [name for name, is_set in (("handle", form.handle), ("address", form.address)) if is_set]
     notes = [note, *(f"with the {bit} bit" for bit in bits if byte != LABEL_BYTE)]
     return named_entry(form.name, byte, ENCODING, text, notes)
@@ -122,7 +96,7 @@ def _first_byte(name: str) -> int:
 
 def encodings() -> Iterator[Entry]:
     """Yields the encodings of arguments, by the names of LEGO's macros."""
-    for name in _ENCODINGS:
+    for name in ENCODING_TEXTS:
         entry = encoding(_first_byte(name))
         assert entry is not None
         yield entry

@@ -100,6 +100,34 @@ IDENTIFICATIONS = (
 
 _BY_BYTE = {byte: row for row in IDENTIFICATIONS for byte in range(row.first, row.last + 1)}
 
+ENCODING_TEXTS = {
+    "LC0": ("A number of -32 to 31 in one byte", "00 to 1F are 0 to 31, 20 to 3F are -32 to -1"),
+    "LC1": ("A number of -127 to 127 in two bytes", "the number follows: 75 is 81 4B, -100 is 81 9C"),
+    "LC2": ("A number of -32767 to 32767 in three bytes", "the number follows, low byte first: 440 is 82 B8 01"),
+    "LC4": (
+        "A number or a float in five bytes",
+        "the number follows, low byte first: 100000 is 83 A0 86 01 00; a float is the bytes of an IEEE single",
+    ),
+    "LCS": ("A text", "its characters follow in ISO-8859-1, then a zero: hi is 84 68 69 00"),
+    "LCS_OLD": ("A text, in a form that no program should send", "LCS, 84, means the same"),
+    "LV0": ("A variable in the first 32 bytes of local memory", "40 to 5F are LV(0) to LV(31)"),
+    "LV1": ("A variable in the first 256 bytes of local memory", "its place follows: LV(40) is C1 28"),
+    "LV2": ("A variable in local memory", "its place follows in two bytes, low byte first"),
+    "LV4": ("A variable in local memory", "its place follows in four bytes, low byte first"),
+    "GV0": (
+        "A variable in the first 32 bytes of global memory, which the reply carries",
+        "60 to 7F are GV(0) to GV(31)",
+    ),
+    "GV1": (
+        "A variable in the first 256 bytes of global memory, which the reply carries",
+        "its place follows: GV(40) is E1 28",
+    ),
+    "GV2": ("A variable in global memory, which the reply carries", "its place follows in two bytes, low byte first"),
+    "GV4": ("A variable in global memory, which the reply carries", "its place follows in four bytes, low byte first"),
+    "LAB1": ("A label, the target of a jump", "its number, 1 to 31, follows: label 1 is A0 01"),
+}
+"""What an encoding is, and the bytes that it has, by its name."""
+
 ENCODINGS = tuple(_BY_BYTE[byte].encoding if byte in _BY_BYTE else None for byte in range(0x100))
 """The encoding of each of the 256 bytes; None if it is undefined."""
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from selenium.webdriver import Chrome, Keys
+from selenium.webdriver import ActionChains, Chrome, Keys
 from selenium.webdriver.common.by import By
 from support.browser import chromium, complaints, emulated, scrolls_sideways
 from support.cases import each
@@ -101,6 +101,52 @@ def test_axe_finds_nothing_in_what_is_opened(page: Page) -> None:
     page.disconnect()
     page.run("document.querySelector('#tabs [data-tab=lesson]').click()")
     assert found == []
+
+
+def tip(page: Page) -> str:
+    """The explanation that is shown."""
+    return page.text("tip") if page.is_shown("tip") else ""
+
+
+WORDS = {
+    "//h2/button[text()='Check']": "What a brick would say to this: each error, warning and hint",
+    "//h2/button[text()='Read']": "What each byte means.",
+    "//h2/button[text()='Make']": "The same frames in other notations",
+    "//*[@data-tab='lesson']": "the lessons on EV3 direct commands",
+    "//*[@id='tree']//*[starts-with(text(), 'NOS')]": "NOS: ports as a bit mask: A 1, B 2, C 4, D 8",
+    "//*[@id='tree']//*[contains(text(), 'LC1')]": "LC1: A number of -127 to 127 in two bytes",
+    "//*[@id='tree']//*[contains(text(), 'GV0')]": "GV0: A variable in the first 32 bytes of global memory",
+    "//*[@id='tree']//*[normalize-space()='10']": "offset: the number of bytes before this one in the frame",
+    "//*[@id='findings']//*[contains(text(), 'offset')]": "offset: the number of bytes before this one in the frame",
+}
+"""The words that explain themselves, as XPath, with the beginning of their explanation."""
+
+
+def test_words_explain_themselves_where_they_are(page: Page) -> None:
+    page.type("0x|10:00|00:00|00|04:00|A5:00:01:81:78:A6:00:01:81:01:60|")  # a speed of 120 %
+    page.wait(lambda: "offset" in page.text("findings"))
+    for path, said in WORDS.items():
+        element = page.browser.find_element(By.XPATH, path)
+        ActionChains(page.browser).scroll_to_element(element).move_to_element(element).perform()
+        page.wait(lambda said=said: said in tip(page))
+        assert not scrolls_sideways(page.browser)
+        ActionChains(page.browser).move_to_element(page.browser.find_element(By.TAG_NAME, "h1")).perform()
+        page.wait(lambda: not tip(page))
+    # With the keyboard, where the focus is; Escape takes it away.
+    page.run("document.querySelector('#check .term').focus()")
+    page.wait(lambda: tip(page).startswith("What a brick would say"))
+    page.browser.switch_to.active_element.send_keys(Keys.ESCAPE)
+    assert not tip(page)
+    page.browser.find_element(By.ID, "tree").send_keys(*[Keys.ARROW_DOWN] * 5)
+    page.wait(lambda: all(word in tip(page) for word in ("SPEED: regulated", "LC1: A number", "offset: ")))
+    assert violations(page, in_dark=False) == []
+    # On a phone, when they are tapped.
+    with emulated(page.browser, 390, 844, is_phone=True):
+        for path, said in WORDS.items():
+            page.run("arguments[0].click()", page.browser.find_element(By.XPATH, path))
+            page.wait(lambda said=said: said in tip(page))
+            box = page.run("const { left, right } = tip.getBoundingClientRect(); return [left, right]")
+            assert 0 <= box[0] < box[1] <= 390
 
 
 def test_the_input_has_the_focus_and_keys_reach_everything(page: Page) -> None:

@@ -126,10 +126,12 @@ class Tour:
         self.wait(lambda: self.text("leds") == "LED_RED")
 
     def it_says_whether_it_reaches_a_brick(self) -> None:
-        """Where the browser has neither WebHID nor Web Serial, a sentence names those that have."""
+        """Where the browser has neither WebHID nor Web Serial, a sentence replaces the buttons."""
         can = self._engine.run("return Boolean(navigator.hid || navigator.serial)")
         said = self.text("brick-status")
         assert ("neither WebHID nor Web Serial" in said) != can, said
+        shown = "return document.querySelector('#connect-usb').getClientRects().length > 0"
+        assert self._engine.run(shown) == can
 
     def a_second_visit_starts_from_what_is_kept(self) -> None:
         """The page is there again without a network."""

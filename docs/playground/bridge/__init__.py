@@ -16,10 +16,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from ev3proto.capture.filter import FilterError, compile_filter
-from ev3proto.checking.codes import CODES
-from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.dialogue import Dialogue
-from ev3proto.program.checking import explained
 from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.paste import read_argument
@@ -28,6 +25,7 @@ from ev3proto.text.spans import plain_text, visible
 
 from .about import about
 from .completing import complete
+from .explaining import explain
 from .reading import MOST_SENT, Input, Steps
 from .remedies import remedies as remedies_of
 from .virtual_brick import VirtualBrick
@@ -172,11 +170,6 @@ def page(number: int) -> str:
 def made(form: str) -> str:
     """Returns the frames in a notation: `c`, `python`."""
     return json.dumps(_now.made(form))
-
-
-def explain(code: str) -> str:
-    """Returns what a code of `check` means."""
-    return json.dumps("\n".join(map(plain_text, explained((CODES | PROGRAM_CODES)[code]))) + "\n")
 
 
 def fix() -> str:

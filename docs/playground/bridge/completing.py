@@ -6,7 +6,7 @@ import json
 import re
 
 from ev3proto.errors import near_names
-from ev3proto.semantics.domain import facts
+from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import Declaration, declarations
 
@@ -78,6 +78,5 @@ def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
     if not matching or len(given) > len(matching[0].parameters):
         return "", []
     parameter = matching[0].parameters[len(given) - 1]
-    said = "; ".join([parameter.text, *facts(parameter)])
     members = parameter.enum.members if parameter.enum else parameter.names
-    return f"{parameter.name}: {said}", [(name, f"{name} = {number}") for name, number in members.items()]
+    return f"{parameter.name}: {comment(parameter)}", [(name, f"{name} = {number}") for name, number in members.items()]

@@ -4,14 +4,14 @@ import { showDialogues } from "./dialogues.js";
 import { showMade } from "./made.js";
 import { NOTHING } from "./places.js";
 import { source } from "./reading.js";
-import { offerRemedies } from "./remedies.js";
+import { clearRemedies, offerRemedies } from "./headline.js";
 import { change, state } from "./state.js";
 import { view } from "./view.js";
 
 /** @typedef {import("./elements.js").Piece} Piece */
 /** @typedef {[pieces: Piece[], frame: number, offset: number, length: number]} Row  a line, and the bytes that it is about; frame -1 for none */
 /**
- * @typedef {object} Block  a finding, or the verdict on a frame
+ * @typedef {object} Block  a finding
  * @property {Piece[][]} lines
  * @property {string} severity
  * @property {string[]} codes
@@ -20,8 +20,6 @@ import { view } from "./view.js";
  * @property {number} offset
  * @property {number} length
  */
-/** @typedef {{kind: "" | "none" | "takes" | "but" | "refuses", text: string}} Verdict */
-/** @typedef {{summary: string, verdict: Verdict, blocks: Block[], accepted: number, places: string[]}} Findings */
 /**
  * @typedef {object} Page  some frames of an input, see Pages.page in bridge/pages.py
  * @property {Row[]} lines
@@ -31,12 +29,12 @@ import { view } from "./view.js";
  */
 /**
  * @typedef {object} Whole  see Input.answer in bridge/reading.py
+ * @property {import("./headline.js").Headline} headline
  * @property {string} error
  * @property {number} count
  * @property {boolean} isProgram
- * @property {Findings} findings
+ * @property {Block[]} findings
  * @property {Record<number, string>} found
- * @property {boolean} isFixable
  * @property {Record<string, string>} made
  * @property {number} dialogues
  */
@@ -44,11 +42,11 @@ import { view } from "./view.js";
 
 /** Shows an answer, or what there is of it so far. @type {import("./reading.js").Show} */
 export const show = (answer, isMore, isWhole) => {
-  change({ error: answer.error, isProgram: answer.isProgram, canFix: answer.isFixable, canFilter: state().canFilter || answer.count > 1, isStale: false });
+  change({ error: answer.error, isProgram: answer.isProgram, canFilter: state().canFilter || answer.count > 1, isStale: false });
   view(answer, isMore);
   showMade(answer, (form) => source().ask("made", form));
   showDialogues(answer.dialogues, isWhole);
-  if (isWhole) offerRemedies();
+  if (isWhole && answer.headline.sentence) offerRemedies(); else clearRemedies();
 };
 
 /** Takes away what belongs to an older input. */

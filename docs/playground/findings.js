@@ -4,14 +4,10 @@ import { filled, find, make } from "./elements.js";
 
 /** @typedef {(code: string) => Promise<string>} Explain  tells what a code means */
 
-/** Shows findings. @param {import("./answer.js").Findings} findings @param {Explain} explain */
-export const showFindings = ({ summary, blocks, accepted, places }, explain) => {
-  find("check").hidden = !summary && !blocks.length;
-  find("findings").replaceChildren(
-    ...(summary ? [make("p", `${summary}\n`, "summary")] : []),
-    ...blocks.map((block, number) => blockBox(block, number, explain)),
-    ...(accepted ? [acceptedBox(accepted, places)] : []),
-  );
+/** Shows findings. @param {import("./answer.js").Block[]} blocks @param {Explain} explain */
+export const showFindings = (blocks, explain) => {
+  find("check").hidden = !blocks.length;
+  find("findings").replaceChildren(...blocks.map((block, number) => blockBox(block, number, explain)));
 };
 
 /** @param {import("./answer.js").Block} block @param {number} number @param {Explain} explain */
@@ -20,7 +16,7 @@ const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
   // It may scroll sideways.
   box.tabIndex = 0;
   box.setAttribute("role", "group");
-  box.setAttribute("aria-label", `${severity || "verdict"}: ${textOf(lines[0] ?? [])}`);
+  box.setAttribute("aria-label", textOf(lines[0] ?? []));
   if (frame >= 0) box.dataset.block = String(number);
   /** @type {HTMLElement | null} */
   let excerpt = null;
@@ -45,15 +41,6 @@ const blockBox = ({ lines, severity, codes, frame }, number, explain) => {
 
 /** @param {import("./elements.js").Piece[]} pieces */
 const textOf = (pieces) => pieces.map(([text]) => text).join("");
-
-/** @param {number} accepted @param {string[]} places */
-const acceptedBox = (accepted, places) => {
-  const more = make("details", "", "accepted");
-  const left = accepted - places.length;
-  const lines = [...places.map((place) => `${place}: accepted: no findings`), ...(left ? [`... and ${left} more`] : [])];
-  more.append(make("summary", `${accepted.toLocaleString("en")} accepted`), make("pre", lines.join("\n")));
-  return more;
-};
 
 /** @param {string} code @param {Explain} explain */
 const explanation = (code, explain) => {

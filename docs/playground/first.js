@@ -17,8 +17,8 @@ export const firstAnswer = (text) => {
   const message = decode(frame), lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
   const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
   return {
-    error: "", count: 1, isProgram: false, isFixable: false, made: { lesson: "" }, dialogues: 0, found: {},
-    findings: { summary: "", verdict: { kind: /** @type {const} */ ("none"), text: "It is being checked." }, blocks: [], accepted: 0, places: [] },
+    headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") },
+    error: "", count: 1, isProgram: false, made: { lesson: "" }, dialogues: 0, found: {}, findings: [],
     lines, frames: { 0: message.hex }, rows: [], page: { first: 0, next: 0, begin: 1, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
   };
 };

@@ -4,7 +4,7 @@ import { fragmentOf, linkTo, textOf } from "./address.js";
 import { edit, replace } from "./editor.js";
 import { copy, find, make } from "./elements.js";
 import { EXAMPLES } from "./examples.js";
-import { home, LITTLE, look, source } from "./reading.js";
+import { home, LITTLE, look } from "./reading.js";
 import { firstAnswer } from "./first.js";
 import { change, state } from "./state.js";
 import { onLine, view } from "./view.js";
@@ -145,15 +145,7 @@ lesson.onchange = async () => {
   if (frame) replace((await home().ask("as_assembly", frame)).trim());
 };
 
-// Fixes, and the lines of findings
-
-find("fix").onclick = async () => {
-  const before = input.value;
-  const fixed = await source().ask("fix");
-  if (input.value !== before) return;
-  if (fixed === before) change({ note: "The way in which this is written cannot be edited; the help says what to change." });
-  else replace(fixed);
-};
+// The lines of findings
 
 onLine((line) => {
   if (state().file) return;

@@ -7,8 +7,8 @@
 
 /** What is shown of no input. @type {import("./answer.js").Answer} */
 export const NOTHING = {
-  error: "", count: 0, isProgram: false, isFixable: false, made: { lesson: "" }, dialogues: 0, found: {},
-  findings: { summary: "", verdict: { kind: "", text: "" }, blocks: [], accepted: 0, places: [] },
+  headline: { sentence: "", verdict: "", kind: "none", severity: "" },
+  error: "", count: 0, isProgram: false, made: { lesson: "" }, dialogues: 0, found: {}, findings: [],
   lines: [], frames: {}, rows: [], page: { first: 0, next: 0, begin: 1, end: 0 },
 };
 

@@ -5,25 +5,18 @@ import { showBrick } from "./brick.js";
 import { offerCompletions } from "./editor.js";
 import { find, inside } from "./elements.js";
 import "./explaining.js";
+import { setText } from "./headline.js";
 import { readFirst, showFirst } from "./input.js";
 import { begin, cancel, counted, home } from "./reading.js";
 import { realBrick } from "./real_brick.js";
 import { sending } from "./sending.js";
-import { buttonTexts, change, follow, verdictOf } from "./state.js";
-
-/** Sets a text that differs: screen readers read out what is set. @param {string} id @param {string} text */
-const setText = (id, text) => { if (find(id).textContent !== text) find(id).textContent = text; };
+import { buttonTexts, change, follow } from "./state.js";
 
 follow((known) => {
-  for (const id of /** @type {const} */ (["status", "error", "note", "sentence", "byte"])) setText(id, known[id]);
+  for (const id of /** @type {const} */ (["status", "note", "about", "byte"])) setText(id, known[id]);
   for (const [id, text] of buttonTexts(known)) setText(id, text);
-  const { kind, text } = verdictOf(known);
-  setText("verdict", text);
-  find("verdict").dataset.kind = kind;
-  find("say").hidden = !known.sentence && !text;
   find("send", HTMLButtonElement).disabled = !known.isReady;
   find("download").hidden = !known.isProgram || known.file !== "";
-  find("fix").hidden = !known.canFix || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);
   find("filter").hidden = !known.canFilter;
   find("progress").hidden = known.progress === null;

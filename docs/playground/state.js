@@ -6,8 +6,8 @@
  * @property {string} status  a sentence in the head of the page
  * @property {string} error  what is wrong with the input
  * @property {string} note  what was done last
- * @property {string} sentence  what the frame in the dump does
- * @property {import("./answer.js").Verdict} verdict  what the brick makes of the input
+ * @property {import("./headline.js").Headline} headline  what the input is, and what is wrong with it
+ * @property {string} about  what the frame in the dump does, of several
  * @property {string} byte  what the byte says that was chosen last
  * @property {boolean} isProgram  whether the input is a program
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
@@ -15,7 +15,6 @@
  * @property {boolean} canFilter  whether the input has several frames
  * @property {boolean} isStale  whether what is shown belongs to an older input
  * @property {{part: number, count: number} | null} progress  of what takes long: the part that is done, the frames so far
- * @property {boolean} canFix  whether "Fix it" would change the input
  * @property {"none" | "usb" | "bluetooth"} connection  the carrier of the real brick
  * @property {boolean} isConnecting  whether a connection is being opened
  * @property {boolean} isComparing  whether the real brick is being compared with the virtual one
@@ -28,8 +27,8 @@ let now = {
   status: "Loading …",
   error: "",
   note: "",
-  sentence: "",
-  verdict: { kind: "", text: "" },
+  headline: { sentence: "", verdict: "", kind: "none", severity: "" },
+  about: "",
   byte: "",
   isProgram: false,
   file: "",
@@ -37,7 +36,6 @@ let now = {
   canFilter: false,
   isStale: false,
   progress: null,
-  canFix: false,
   connection: "none",
   isConnecting: false,
   isComparing: false,
@@ -60,18 +58,6 @@ export const change = (changes) => {
 export const follow = (draw) => {
   drawings.push(draw);
   draw(now);
-};
-
-/**
- * Returns what the brick makes of the input, where only a part of it could be read.
- *
- * @param {Readonly<State>} known
- * @returns {import("./answer.js").Verdict}
- */
-export const verdictOf = ({ verdict, error }) => {
-  if (error && verdict.kind === "none") return { kind: "", text: "" };
-  if (!error || verdict.kind !== "takes") return verdict;
-  return { kind: "but", text: `${verdict.text.slice(0, -1)}, but not all of the input could be read.` };
 };
 
 /**

@@ -58,8 +58,7 @@ export const view = (answer, isMore) => {
   const isSame = isConfirmed(answer), isThere = isSame || (isMore && isGrown(answer));
   now.shown = isThere ? { ...answer, lines, frames, rows, page: page.first ? page : answer.page } : answer;
   readBox.hidden = !now.shown.lines.length;
-  find("count").textContent = answer.count > 1 ? `${answer.count.toLocaleString("en")} frames` : "";
-  change({ verdict: answer.findings.verdict });
+  change({ headline: answer.headline });
   if (!isMore || JSON.stringify(findings) !== JSON.stringify(answer.findings)) showFindings(answer.findings, (code) => source().ask("explain", code));
   if (isThere) showPager(now.shown.page, answer.count, turnTo); else showPage();
   if (isSame) tell(now.frame);
@@ -69,7 +68,7 @@ export const view = (answer, isMore) => {
 const showPage = () => {
   const { lines, rows, page, count } = now.shown;
   Object.assign(now, { rows: rowsByFrame(lines), marked: null, isKept: false, frame: -1, columns: columns(), about: UNKNOWN });
-  change({ sentence: "", byte: "" });
+  change({ about: "", byte: "" });
   showPager(page, count, turnTo);
   showRows(rows);
   showTree();
@@ -86,7 +85,7 @@ const turnTo = async (frame) => {
   const python = source(), { findings } = now.shown;
   /** @type {import("./answer.js").Page} */
   const page = await python.ask("page", frame);
-  if (findings.blocks.length !== now.shown.findings.blocks.length && python !== source()) return false;
+  if (findings.length !== now.shown.findings.length && python !== source()) return false;
   now.shown = { ...now.shown, ...page };
   showPage();
   treeBox.scrollTop = 0;
@@ -169,7 +168,8 @@ const tell = async (frame) => {
   const about = now.shown.about ?? await source().ask("about", hex);
   if (frame !== now.frame || hex !== hexOf(frame)) return;
   now.about = about;
-  change({ sentence: about.sentence });
+  // Of a single frame, the headline says it.
+  change({ about: now.shown.count > 1 ? about.sentence : "" });
   showHeader();
   draw();
   show(now.marked);
@@ -185,7 +185,7 @@ const show = (target) => {
     return;
   }
   dump(target.frame, target.offset);
-  mark(target, now.shown.findings.blocks, sizeOf(target.frame));
+  mark(target, now.shown.findings, sizeOf(target.frame));
 };
 
 /** @param {Element} box @param {Element | null} element */
@@ -222,7 +222,7 @@ const TARGETS = {
   at: (number) => byteTarget(now.frame, number),
   letter: (number) => byteTarget(now.frame, number),
   block: (number) => {
-    const { frame, offset, length, line } = now.shown.findings.blocks[number];
+    const { frame, offset, length, line } = now.shown.findings[number];
     return { frame, offset, length, line, block: number, row: lineAt(frame, offset) };
   },
 };

@@ -1154,6 +1154,19 @@ PORT_OF_NEXT_BRICK = _code(
     ),
 )
 
+RAW_PERCENT = _code(
+    "H708",
+    "a power or a speed that looks like a raw number",
+    """
+    A byte from 20 to 3F is a number from -32 to -1, so a raw 50 (32 in hex) drives backward with 14 %. Numbers from 32
+    on need an identification byte: 50 is written 81 32. Only `check` of a single frame says so.
+    """,
+    _sized("2A:00|80|00:00|A5:00:01:32:A6:00:01"),
+    _sized("2A:00|80|00:00|A5:00:01:81:32:A6:00:01"),
+    alone=True,
+    words=Words("{name} is {number} %, backward: that is what {byte} by itself means", "{meant} is written 81 {byte}"),
+)
+
 READ_AFTER_MOVE = _code(
     "H704",
     "a count that a move has taken back",

@@ -28,6 +28,7 @@ class Given(NamedTuple):
     open     opens the file; raises OSError
     is_lent  whether it stays open
     word     a text that is known to be meant as bytes or assembly
+    is_name  whether the word may be the name of a file instead
     lines    of a text
     frame    bytes that are known to be meant as a frame, unless they are something else by their start
     """
@@ -39,6 +40,7 @@ class Given(NamedTuple):
     lines: Iterable[str] | None = None
     frame: bytes | None = None
     is_lent: bool = False
+    is_name: bool = True
 
     def opened(self) -> BinaryIO:
         """Opens the file. Raises OSError."""
@@ -53,7 +55,7 @@ class Given(NamedTuple):
     @property
     def quoted(self) -> str:
         """A word in quotes, for problems."""
-        return f"{self.word[:_MOST_QUOTED]!r}" if self.word is not None else self.label
+        return f"{self.word[:_MOST_QUOTED]!r}" if self.word is not None and self.is_name else self.label
 
     @property
     def looks_like_a_path(self) -> bool:

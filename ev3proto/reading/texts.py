@@ -131,7 +131,7 @@ class TextReader:
         if slip is not None:
             line = slip.line if slip.line > 1 or given.word is None else None
             place = place._replace(line=line, column=slip.column)
-        if given.word is None or pasted.data:
+        if given.word is None or pasted.data or not given.is_name:
             return Problem(place, ProblemCode.TEXT, pasted.reason or problem)
         if given.looks_like_a_path:
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)

@@ -69,6 +69,7 @@ class Role(Enum):
     MOTORS = "motor ports, one bit each"
     MOTOR = "one motor port, counted from 0"
     PORT = "one port, of a sensor or a motor"
+    DRIVE = "power or speed of motors; negative: backward"
     PORTS = "a list of ports"
     FILE = "the handle of a file that the same command opens"
     ARRAY = "the handle of an array that the same command creates"

@@ -48,8 +48,8 @@ NOS = In(
     role=Role.MOTORS,
 )
 BRAKE = In("BRAKE", DATA8, "what the motors do at the end", range=(0, 1), special={0: "coast", 1: "brake and hold"})
-POWER = In("POWER", DATA8, "unregulated power; negative: backward", unit="%", range=(-100, 100))
-SPEED = In("SPEED", DATA8, "regulated speed; negative: backward", unit="%", range=(-100, 100))
+POWER = In("POWER", DATA8, "unregulated power; negative: backward", unit="%", range=(-100, 100), role=Role.DRIVE)
+SPEED = In("SPEED", DATA8, "regulated speed; negative: backward", unit="%", range=(-100, 100), role=Role.DRIVE)
 TURN = In(
     "TURN",
     DATA16,

@@ -53,7 +53,7 @@ def sentence(exchange: Exchange, missing: int = 0) -> str:
         A sentence that begins with a capital letter and ends with a full stop.
     """
     message = exchange.message
-    text = "".join(_said(exchange))
+    text = deed(exchange)
     if missing and (message.fault is None or message.fault.truncated):
         text = f"{text or 'a frame'}; its last {counted(missing, 'byte')} are missing"
     elif message.fault is not None:
@@ -63,7 +63,12 @@ def sentence(exchange: Exchange, missing: int = 0) -> str:
     return f"{text[0].upper()}{text[1:]}."
 
 
-def _said(exchange: Exchange) -> Iterator[str]:
+def deed(exchange: Exchange) -> str:
+    """Returns what a message does or answers, as the end of a sentence; empty where nothing of it could be read."""
+    return "".join(_deed(exchange))
+
+
+def _deed(exchange: Exchange) -> Iterator[str]:
     message = exchange.message
     if message.flaw.headless:
         return
@@ -144,8 +149,8 @@ def _value(argument: Argument) -> str:
     parameter, value = argument.parameter, argument.value
     if argument.form.kind in (LOCAL, GLOBAL, TEXT) or not isinstance(value, int):
         return short_text(argument_value(argument))
-    if parameter.role in _PORTS:
-        return _PORTS[parameter.role](value)
+    if parameter.role in _BY_ROLE:
+        return _BY_ROLE[parameter.role](value)
     return parameter.special.get(value) or argument.symbol or _with_unit(value, parameter.unit)
 
 
@@ -170,7 +175,11 @@ def _letter(number: int) -> str | None:
     return next((letter for letter, at in LETTERS.items() if at == number), None)
 
 
-_PORTS = {Role.MOTORS: _motors, Role.MOTOR: _motor, Role.PORT: _port}
+def _drive(percent: int) -> str:
+    return f"{percent} %, backward" if percent < 0 else f"{percent} %"
+
+
+_BY_ROLE = {Role.MOTORS: _motors, Role.MOTOR: _motor, Role.PORT: _port, Role.DRIVE: _drive}
 
 
 def _with_unit(value: int, unit: str | None) -> str:

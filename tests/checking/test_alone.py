@@ -34,6 +34,18 @@ def findings(operations: str, memory: str = "00 00", kind: str = "80", *, alone:
             "NOS is 0, a bit mask without a port, so OUTPUT_CLR_COUNT does nothing",
             "use 1 for A, 2 for B, 4 for C, 8 for D, or the sum of several",
         ),
+        (
+            "A5 00 01 32 A6 00 01",
+            "H708",
+            "SPEED is -14 %, backward: that is what 32 by itself means",
+            "50 is written 81 32",
+        ),
+        (
+            "A4 00 01 3F A6 00 01",
+            "H708",
+            "POWER is -1 %, backward: that is what 3F by itself means",
+            "63 is written 81 3F",
+        ),
     ],
 )
 def test_a_hint(operations: str, code: str, message: str, help_: str) -> None:
@@ -83,7 +95,7 @@ def test_the_suffix_of_a_sound_is_a_warning_everywhere() -> None:
         "A6 00 01",  # the speed was set before
         "A5 00 01 1E A6 00 01",
         "A6 00 01 A5 00 01 1E",
-        "A5 00 01 32 A6 00 01",  # -14: decode shows the byte
+        "A5 00 01 81 F2 A6 00 01",  # -14 with an identification byte
     ],
 )
 def test_no_hint(operations: str) -> None:

@@ -7,7 +7,10 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
+import pytest
+from playground import bridge
 from support.effort import effort
 from support.frames import drawn
 from support.scripts import PLAYGROUND
@@ -55,3 +58,228 @@ def test_the_snapshot_has_every_module_that_reading_needs(tmp_path: Path) -> Non
         check=False,
     )
     assert (done.returncode, done.stderr) == (0, "")
+
+
+# The headline
+
+TONE = "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|"
+BATTERY = "0x|08:00|2A:00|00|04:00|81:01:60|"
+PROGRAM = "vmthread MAIN\n{\n  UI_WRITE(LED, LED_ORANGE)\n}\n"
+HOW_FRAMES_ARE_WRITTEN = (
+    "Frames are written in hex, such as 06 00 2A 00 80 00 00 01. Operations are read, too: OUTPUT_POWER(0, 1, 50)."
+)
+HEADER_FIRST = "A brick needs its header first: length, counter, type and memory."
+
+
+def read(text: str) -> dict[str, Any]:
+    """What the page shows of a text."""
+    answer: dict[str, Any] = json.loads(bridge.look(text))
+    return answer
+
+
+def offered() -> list[str]:
+    """The labels of the buttons for what was read last."""
+    return [each["label"] for each in json.loads(bridge.remedies())]
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence", "kind", "verdict", "buttons"),
+    [
+        ("", "", "none", "", []),
+        (TONE, "Plays 440 Hz for 1 s at volume 1 %.", "takes", "The brick takes it.", []),
+        (
+            TONE.replace("0E", "0F"),
+            "Plays 440 Hz for 1 s at volume 1 %.",
+            "refuses",
+            "The brick refuses it at byte 16, because the length field says that 15 bytes follow it, but there are 14:"
+            " it is 0E 00.",
+            ["Set the length to 14"],
+        ),
+        (
+            "0x|08:00|2A:00|00|05:00|81:01:61|",
+            "Reads the battery voltage.",
+            "refuses",
+            "The brick refuses it at byte 7, because VALUE of UI_READ.GET_VBATT must start at a multiple of 4: GV(0) is"
+            " written 60.",
+            ["Change 61 at byte 9 to 60"],
+        ),
+        (
+            "0x|08:00|2A:00|00|01:00|81:01:60|",
+            "Reads the battery voltage.",
+            "takes",
+            "The brick takes it, but 4 bytes of global and 0 bytes of local memory are used; the header requests 1"
+            " and 0.",
+            ["Request 4 bytes of global and 0 of local memory"],
+        ),
+        (
+            "0x|0D:00|2A:00|80|00:00|A5:00:01:32:A6:00:01|",
+            "Sets the speed of motor A to -14 %, backward, then starts motor A.",
+            "refuses",
+            "The brick refuses it at byte 14, because SPEED of OUTPUT_SPEED is a raw number: 50 is written 81 32.",
+            ["Insert 81 at byte 10"],
+        ),
+        (
+            "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|",
+            "Plays 10 Hz for 1 s at volume 1 %.",
+            "takes",
+            "The brick takes it, but FREQUENCY is 10 Hz, outside of 250 to 10000 Hz.",
+            ["Write it in fewer bytes"],
+        ),
+        # Hints are not in the verdict.
+        ("OUTPUT_POWER(0, 1, 50)", "Sets the power of motor A to 50 %.", "takes", "The brick takes it.", []),
+        # Replies are not judged as commands.
+        (
+            "03 00 2A 00 04",
+            "An error reply: command 42 failed.",
+            "none",
+            "It does not say why: check the command that it answers.",
+            [],
+        ),
+        ("07 00 2A 00 02 66 66 F6 40", "A reply that answers command 42: ok, with 4 bytes of memory.", "none", "", []),
+        (
+            "08 00 2A 00 02 66 66 F6 40",
+            "A reply that answers command 42: ok, with 4 bytes of memory.",
+            "none",
+            "The frame is cut off: its length field says that 8 bytes follow, but 7 do.",
+            [],
+        ),
+        (
+            "A5 00 01 32",
+            "A frame without its header: sets the speed of motor A to -14 %, backward.",
+            "none",
+            f"{HEADER_FIRST} SPEED is -14 %, backward: that is what 32 by itself means; 50 is written 81 32.",
+            ["Add a header"],
+        ),
+        (
+            "94 01 01 82 B8 01 82 E8 03",
+            "A frame without its header: plays 440 Hz for 1 s at volume 1 %.",
+            "none",
+            HEADER_FIRST,
+            ["Add a header"],
+        ),
+        (
+            "2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03",
+            "A frame without its length: plays 440 Hz for 1 s at volume 1 %.",
+            "none",
+            "A brick needs its length first.",
+            ["Add the length"],
+        ),
+        (
+            f"09:12:31.0 Sent {BATTERY}\n09:12:31.1 Recv 0x|07:00|2A:00|02|66:66:F6:40|\n09:12:31.2 Sent {BATTERY}\n",
+            "A log of 3 frames: 2 commands and 1 reply.",
+            "takes",
+            "The brick takes all 2 commands.",
+            [],
+        ),
+        (
+            f"Sent {BATTERY}\nSent 0x|08:00|2A:00|00|01:00|81:01:60|\nSent 0x|0A:00|2B:00|00|04:00|81:01:60|\n",
+            "A log of 3 frames.",
+            "refuses",
+            "The brick refuses 1 of 3 commands; in line 3, the length does not count its own two bytes: it is 8"
+            " (08 00).",
+            ["Line 2: Request 4 bytes of global and 0 of local memory", "Line 3: Set the length to 8"],
+        ),
+        (
+            "UI_WRITE(LED, 1)\nUI_WRITE(LED, 2)\n",
+            "Sets the light around the buttons to LED_GREEN, then sets the light around the buttons to LED_RED.",
+            "takes",
+            "The brick takes it.",
+            [],
+        ),
+        (
+            f"{TONE}\n0x|zz:00|\n",
+            "Plays 440 Hz for 1 s at volume 1 %.",
+            "none",
+            "The brick takes it, but not all of the input could be read.",
+            [],
+        ),
+        (PROGRAM, "A program of 1 object and 32 bytes.", "takes", "The brick takes it.", []),
+        (
+            PROGRAM.replace("UI_WRITE", "UI_WRIT"),
+            "Operations with a mistake.",
+            "none",
+            "",
+            ["Line 3: Change UI_WRIT to UI_WRITE"],
+        ),
+        (
+            "OUTPUT_POWR(0, 1, 50)",
+            "Operations with a mistake.",
+            "none",
+            "",
+            ["Change OUTPUT_POWR to OUTPUT_POWER"],
+        ),
+        ("UI_WRITE(LED, LED_RDE)", "Operations with a mistake.", "none", "", ["Change LED_RDE to LED_RED"]),
+        (
+            "08 00 2A O0 00 04 00 81 0l 60",
+            "A frame that cannot be read to its end.",
+            "none",
+            "",
+            ["Read O as 0 and l as 1"],
+        ),
+        ("Hello, how does a robot drive?", "A text without a frame.", "none", HOW_FRAMES_ARE_WRITTEN, []),
+    ],
+)
+def test_a_headline(text: str, sentence: str, kind: str, verdict: str, buttons: list[str]) -> None:
+    headline = read(text)["headline"]
+    assert (headline["sentence"], headline["kind"], headline["verdict"]) == (sentence, kind, verdict)
+    assert offered() == buttons
+
+
+@pytest.mark.parametrize(
+    ("text", "made"),
+    [
+        (TONE.replace("0E", "0F"), TONE),
+        # Each in its own notation.
+        (
+            "{0x0A, 0x00, 0x2A, 0x00, 0x00, 0x04, 0x00, 0x81, 0x01, 0x60}",
+            "{0x08, 0x00, 0x2A, 0x00, 0x00, 0x04, 0x00, 0x81, 0x01, 0x60}",
+        ),
+        ("A5 00 01 32", "0x|09:00|00:00|80|00:00|A5:00:01:32|"),
+        ("08 00 2A O0 00 04 00 81 0l 60", BATTERY),
+        ("OUTPUT_POWR(0, 1, 50)  // mine", "OUTPUT_POWER(0, 1, 50)  // mine"),
+        ("SOUND(TOEN, 1, 440, 1000)", "SOUND(TONE, 1, 440, 1000)"),
+        (PROGRAM.replace("_ORANGE", "_ORANG"), PROGRAM),
+        (
+            "# mine\n2026-01-01 Sent 0x|0A:00|2B:00|00|04:00|81:01:60|\n",
+            "# mine\n2026-01-01 Sent 0x|08:00|2B:00|00|04:00|81:01:60|\n",
+        ),
+    ],
+)
+def test_a_button_makes_the_change_that_it_names(text: str, made: str) -> None:
+    read(text)
+    (remedy,) = json.loads(bridge.remedies())
+    assert remedy["text"] == made
+    assert read(made)["error"] == ""
+
+
+def test_several_certain_changes_are_also_made_together() -> None:
+    wrong = "Sent 0x|0A:00|2A:00|00|04:00|81:01:60|\nSent 0x|0A:00|2B:00|00|04:00|81:01:60|\n"
+    read(wrong)
+    assert offered() == ["Line 1: Set the length to 8", "Line 2: Set the length to 8", "Make all of these changes"]
+    assert json.loads(bridge.remedies())[2]["text"] == wrong.replace("0A", "08")
+
+
+def test_what_is_wrong_is_said_once() -> None:
+    """Findings have no verdict of their own, and errors are what cannot be read."""
+    for text in (TONE, TONE.replace("0E", "0F"), "03 00 2A 00 04", "07 00 2A 00 02 66 66 F6 40", BATTERY + "\n" + TONE):
+        answer = read(text)
+        assert answer["error"] == ""
+        lines = ["".join(piece[0] for piece in line) for block in answer["findings"] for line in block["lines"]]
+        assert [line for line in lines if "the brick" in line or "did you mean" in line or "accepted" in line] == []
+        assert [block["codes"] for block in answer["findings"]] == ([["E102"]] if "0F" in text else [])
+
+
+def test_a_file_and_a_filter() -> None:
+    captures = ROOT / "captures"
+    for name, expression, sentence in (
+        ("wifi.pcapng", "", "A capture of 42 frames: 24 commands and 18 replies."),
+        ("wifi.pcapng", "op==SOUND.TONE", "The filter matches 1 of the 42 frames of a capture."),
+        ("lesson-02.log", "", "A log of 20 frames: 19 commands and 1 reply."),
+        ("README.md", "", "A file without a frame."),
+    ):
+        Path(json.loads(bridge.place(name))).write_bytes((captures / name).read_bytes())
+        number = json.loads(bridge.start("open_file", name, expression))
+        step: dict[str, Any] = {"part": 0}
+        while "part" in step:
+            step = json.loads(bridge.go_on(number))
+        assert step["answer"]["headline"]["sentence"] == sentence

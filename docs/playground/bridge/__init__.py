@@ -24,10 +24,9 @@ from ev3proto.text.phrases import MACROS, Seen, heading
 from ev3proto.text.spans import plain_text, visible
 
 from .about import about
-from .completing import complete
+from .completing import completions
 from .explaining import explain
 from .reading import MOST_SENT, Input, Steps
-from .remedies import remedies as remedies_of
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:
@@ -44,7 +43,6 @@ __all__ = [
     "end_comparison",
     "explain",
     "files",
-    "fix",
     "frames_of",
     "go_on",
     "gone",
@@ -172,14 +170,14 @@ def made(form: str) -> str:
     return json.dumps(_now.made(form))
 
 
-def fix() -> str:
-    """Returns the text with every certain fix in it."""
-    return json.dumps(_now.fixed())
+def remedies() -> str:
+    """Returns what can be done about the input: see `Input.proposals`."""
+    return json.dumps(_now.proposals())
 
 
-def remedies(text: str) -> str:
-    """Returns what can be done about the input, which is this text: see `bridge.remedies.remedies`."""
-    return json.dumps(remedies_of(text, _now.wrong_lines()))
+def complete(before: str) -> str:
+    """Returns the completions at the cursor: see `completions`."""
+    return json.dumps(completions(before))
 
 
 def to_send() -> str:

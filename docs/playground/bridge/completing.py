@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import re
+from typing import Any
 
 from ev3proto.errors import near_names
 from ev3proto.semantics.domain import comment
@@ -17,40 +17,45 @@ _WORD = re.compile(r"[A-Za-z_][\w.]*$")
 _PREFIXED = re.compile(r"op[A-Z]")
 
 
-def complete(before: str) -> str:
+def completions(before: str) -> dict[str, Any]:
     """Returns the completions at the cursor.
 
     Args:
         before: The line up to the cursor.
 
     Returns:
-        JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show; `hint`
-        about the parameter at the cursor.
+        For JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show;
+        `hint` about the parameter at the cursor.
     """
-    found = _WORD.search(before)
-    word = found[0] if found else ""
-    call = _CALL.search(before)
-    if call is None:
-        hint, options = "", _OPERATIONS if word else []
-    else:
-        hint, options = _inside(call[1].upper().removeprefix("OP"), call[2].split(","))
-    prefix = "op" if call is None and _PREFIXED.match(word) else ""
+    word, prefix, hint, options = _place(before)
     name = word.removeprefix(prefix)
     words = [
         (prefix + each, shown) for each, shown in options if each.upper().startswith(name.upper()) and each != name
     ]
     if not words and name and all(each != name for each, _ in options):
-        # The same names that the error suggests.
-        known = dict(options) if call is not None else _heads(word)
-        words = [(prefix + each, f"{each}: did you mean this?") for each in near_names(name, known)]
+        words = [(each, f"{each}: did you mean this?") for each in meant(before)]
     if len(words) > MOST_COMPLETIONS:
         hint = f"... and {len(words) - MOST_COMPLETIONS} more: type more letters"
-    return json.dumps({"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint})
+    return {"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint}
 
 
-def _heads(word: str) -> list[str]:
-    """Returns what an operation can begin with."""
-    return [*(opcode.name for opcode in OPCODES), *(each.name for each in _DECLARATIONS if "." in word)]
+def meant(before: str) -> list[str]:
+    """Returns the names that the word at the cursor is close to, the nearest first: those that its error suggests."""
+    word, prefix, _, options = _place(before)
+    if options is _OPERATIONS:
+        known = [*(opcode.name for opcode in OPCODES), *(each.name for each in _DECLARATIONS if "." in word)]
+    else:
+        known = [name for name, _ in options]
+    return [prefix + each for each in near_names(word.removeprefix(prefix), known)]
+
+
+def _place(before: str) -> tuple[str, str, str, list[tuple[str, str]]]:
+    """Returns the word at the cursor, its `op` if that is not part of the name, a hint, and the names that fit."""
+    found, call = _WORD.search(before), _CALL.search(before)
+    word = found[0] if found else ""
+    if call is None:
+        return word, "op" if _PREFIXED.match(word) else "", "", _OPERATIONS if word else []
+    return word, "", *_inside(call[1].upper().removeprefix("OP"), call[2].split(","))
 
 
 def _signature(declaration: Declaration) -> str:

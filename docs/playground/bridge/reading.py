@@ -10,14 +10,15 @@ from typing import Any
 from ev3proto.capture.filter import Choosing, Filter
 from ev3proto.capture.record import Announcement, Place, Record, Skipped
 from ev3proto.capture.timeline import Form, Timeline, collect_in_steps, render
+from ev3proto.checking.report import Severity
 from ev3proto.dialogue import Exchange
 from ev3proto.errors import DecodeError
 from ev3proto.messages import Message
 from ev3proto.program import assemble, check_program
 from ev3proto.program import parse as parse_program
 from ev3proto.reading.assembling import assembled
-from ev3proto.reading.faults import Faults
-from ev3proto.reading.given import Given, given_word
+from ev3proto.reading.given import Given
+from ev3proto.reading.headline import Headline, Subject
 from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, SourceKind
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
@@ -25,14 +26,14 @@ from ev3proto.schema.frame import parse
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT, is_assembly
-from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_c, as_hex, as_python
 from ev3proto.text.phrases import LEGO
 from ev3proto.text.spans import visible
 
 from .findings import Findings
+from .headline import headline, label
 from .pages import Pages
-from .remedies import with_buttons
+from .proposals import bare, proposals
 
 MOST_SHOWN = 200_000
 """Maximum characters of the frames in a notation."""
@@ -61,9 +62,6 @@ OFTEN = 0.2
 FIRST = 0.3
 """Seconds until a first part of the answer; the next ones come after twice the time of the one before."""
 
-FEW_CHARACTERS = 4_000
-"""A text up to this length is fixed to find out whether that changes it."""
-
 LESSON = "lesson"
 FORMS: dict[str, Callable[[Message, str], str]] = {
     LESSON: lambda message, _: as_hex(message),
@@ -84,13 +82,14 @@ class Input:
         self.image: bytes | None = None
         self._pages = Pages()
         self._findings = Findings()
-        self._faults = Faults()
         self._problems: list[Problem] = []
         self._problem_count = 0
         self._typed: str | None = None
         self._name = TYPED
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
-        self._assembled = 0
+        self._bare: Headline | None = None
+        self._first: Record | None = None
+        self._seen = 0
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._lesson_size = 0
@@ -103,14 +102,17 @@ class Input:
 
     def type(self, text: str) -> Steps:
         """Reads what was typed or pasted."""
+        self._typed = text
         if OBJECT.search(text):
             self._program_of(text, TYPED)
+        elif (found := bare(text.strip())) is not None:
+            self._bare = found
         elif text.strip():
-            self._typed = text
             # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
             is_long = "\n" in text.strip() or is_assembly(text.strip())
             self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
-            yield from self._read(Given(TYPED, lines=self._counted(text)) if is_long else given_word(text.strip()))
+            word = Given(TYPED, word=text.strip(), is_name=False)
+            yield from self._read(Given(TYPED, lines=self._counted(text)) if is_long else word)
         yield {"answer": self.answer()}
 
     def open(self, path: Path) -> Steps:
@@ -156,6 +158,7 @@ class Input:
             if not isinstance(event, Record):
                 yield None if isinstance(event, Announcement) else event
                 continue
+            self._seen += 1
             if not is_begun:
                 is_begun = True
                 self._wanted.begin(self._reading.part.account.first_ns or event.time_ns)
@@ -184,17 +187,16 @@ class Input:
 
     def _show(self, item: Record | Announcement | Image) -> int:
         """Takes what has lines. Returns its number."""
+        if isinstance(item, Record):
+            self._first = self._first or item
         self._pages.start_ns = self._reading.part.account.first_ns or 0
         return self._pages.add(item)
 
     def _record(self, record: Record) -> None:
         written, number = record.written, self._show(record)
-        fault = self._faults.of(record, is_text=written is not None)
-        if fault is not None:
-            self._problem(fault)
         if written is None:
             self._frame(record, number, str(record.place), 0, carrier=str(record.carrier))
-        elif not record.missing:
+        elif not record.missing and not (written.is_typed and self._problems):
             self._frame(record, number, "" if written.is_typed else str(record.place), record.number)
 
     def _source(self, source: Source) -> None:
@@ -204,7 +206,6 @@ class Input:
             return
         made = list(assembled(source))
         records = [item for item in made if isinstance(item, Record)]
-        self._assembled = len(records)
         for number, record in enumerate(records, 1):
             self._frame(record, self._show(record), f"frame {number}" if len(records) > 1 else "", 0)
         for item in made:
@@ -219,25 +220,27 @@ class Input:
             for one in (error, *error.others):
                 self._problem(Problem.in_source(label, one))
             return
-        warnings = [f"{Problem.in_source(label, one)} (warning)" for one in made.warnings]
-        more = len(warnings) - MOST_WARNINGS
-        self._findings.warn([*warnings[:MOST_WARNINGS], *([f"... and {more} more warnings"] if more > 0 else [])])
+        warnings = [str(Problem.in_source(label, one)) for one in made.warnings[:MOST_WARNINGS]]
+        more = len(made.warnings) - len(warnings)
+        for said in [*warnings, *([f"... and {more} more warnings"] if more else [])]:
+            self._findings.say(said, Severity.WARNING)
         self._image(Image(made.image, Place(label)))
 
     def _image(self, image: Image) -> None:
         """Takes the image of a program."""
         self.image = image.data
         try:
-            program = parse_program(image.data, strict=False)
+            parse_program(image.data, strict=False)
         except DecodeError as error:
             self._problem(Problem(image.place, ProblemCode.DAMAGED, str(error)))
         else:
             self._show(image)
-            for fault in program.faults:
-                self._problem(Problem(image.place, ProblemCode.FAULT, f"fault at {fault}"))
         self._findings.program(check_program(image.data))
 
     def _problem(self, problem: Problem) -> None:
+        if problem.severity is not Severity.ERROR:
+            self._findings.say(str(problem), problem.severity)
+            return
         self._problem_count += 1
         if len(self._problems) < MOST_COMPLAINTS:
             self._problems.append(problem)
@@ -253,8 +256,8 @@ class Input:
             self._frames.append(frame)
             self._lesson.append(as_hex(message))
             self._lesson_size += len(self._lesson[-1]) + 1
-        if record.is_from_brick:
-            self._findings.reply()
+        if _is_reply(record):
+            self._findings.among_others()
         else:
             self._findings.frame(frame, number, place, line, carrier=carrier)
 
@@ -263,30 +266,71 @@ class Input:
     def answer(self, *, is_whole: bool = True) -> dict[str, Any]:
         """Returns what is shown, for JSON.
 
-        error      sentences, with the lines of a source that they are about
+        headline   see `headline`
+        error      sentences about what cannot be read, with the lines of a source that they are about
         problems   the same as data: each with message, place, severity, code, line and column
         count      the number of frames
         isProgram  whether it is a program
         findings   see `Findings.answer`
         found      the frames with findings, in hex, by number
-        isFixable  whether a fix would change the text
         made       the frames in the lesson's notation, and if they are few, in all
         dialogues  their number
         lines, frames, rows, page  the first page: see `Pages.page`
         """
         is_few = is_whole and len(self._frames) <= FEW and self.image is None
         return {
+            "headline": headline(self._headline()),
             "error": self._error(),
             "problems": [_problem_entry(problem) for problem in self._problems],
             "count": self._pages.frames,
             "isProgram": self.image is not None,
             "findings": self._findings.answer(),
             "found": {each.number: each.report.frame.hex() for each in self._findings.frames},
-            "isFixable": is_whole and self._is_fixable(),
             "made": {form: self.made(form) for form in (FORMS if is_few else (LESSON,))},
             "dialogues": 0 if self._pages.frames == 1 and self._reading.part.is_text else self._pages.dialogues,
             **self.page(0),
         }
+
+    def _headline(self) -> Headline:
+        findings, count, unread, first = self._findings, self._pages.frames, self._problem_count, self._first
+        if self._bare is not None:
+            return self._bare
+        if self.image is not None:
+            (report,) = findings.programs
+            objects = parse_program(self.image, strict=False).objects
+            return Headline(Subject.PROGRAM, len(objects), unread=unread, read=len(self.image), worst=report)
+        worst = min(findings.frames, key=lambda each: each.report.accepted, default=None)
+        is_wrong = worst is not None and any(each.severity is not Severity.HINT for each in worst.report.findings)
+        errors = findings.count(Severity.ERROR)
+        return Headline(
+            self._subject(),
+            count,
+            findings.checked,
+            findings.refused,
+            errors - findings.refused,
+            findings.count(Severity.WARNING),
+            unread,
+            self._seen,
+            first.exchange if first is not None and count == 1 else None,
+            first.missing if first is not None else 0,
+            worst.report if worst is not None and is_wrong else None,
+            worst.place.removeprefix(f"{self._name}, ") if worst is not None else "",
+        )
+
+    def _subject(self) -> Subject:
+        """Returns what an input is that is not a program."""
+        first = self._first
+        if first is None and any(problem.code is ProblemCode.SOURCE for problem in self._problems):
+            return Subject.MISTAKEN
+        if first is None:
+            return Subject.FILE if self._name != TYPED else Subject.TEXT if self._problems else Subject.EMPTY
+        if self._pages.frames == 1 and first.written is not None and first.written.is_typed and self._problems:
+            return Subject.PART
+        if self._pages.frames == 1 and self._wanted is None:
+            return Subject.REPLY if _is_reply(first) else Subject.FRAME
+        if not self._reading.part.is_text:
+            return Subject.CAPTURE
+        return Subject.FRAMES if first.place.frame else Subject.LOG
 
     def page(self, number: int) -> dict[str, Any]:
         """Returns the page that has a frame, by its number: see `Pages.page`."""
@@ -295,10 +339,16 @@ class Input:
     def _error(self) -> str:
         lines: list[str] = []
         for problem in self._problems:
-            lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
+            if self._first is not None or not self._is_other_text(problem):
+                lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
         left = self._problem_count - len(self._problems) + max(len(lines) - MOST_COMPLAINTS, 0)
         shown = [*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines"] if left else [])]
-        return "".join(f"{with_buttons(visible(line))}\n" for line in shown)
+        return "".join(f"{visible(line)}\n" for line in shown)
+
+    def _is_other_text(self, problem: Problem) -> bool:
+        """Returns whether a problem says no more than that a text without a frame has none."""
+        is_at_once = problem.code is ProblemCode.TEXT and problem.place.column == 1
+        return self._typed is not None and (is_at_once or problem.code is ProblemCode.EMPTY)
 
     def made(self, form: str) -> str:
         """Returns the frames in a notation, as far as they are shown."""
@@ -313,24 +363,22 @@ class Input:
                 break
         return _shortened(found, self._pages.frames)
 
-    # Fixes
+    # What was meant
 
-    def wrong_lines(self) -> dict[int, bytes | None]:
+    def proposals(self) -> list[dict[str, str]]:
+        """Returns what can be done about the input, for JSON: the label of each button, and the text that it makes."""
+        text = self._typed
+        if not text or self.image is not None or self._pages.frames > FEW:
+            return []
+        found = proposals(text, self._wrong(), [] if self._first is not None else self._problems)
+        has_lines = "\n" in text.strip()
+        return [{"label": label(each, has_lines=has_lines), "text": each.text} for each in found]
+
+    def _wrong(self) -> dict[int, bytes | None]:
         """Returns the lines of a text that are wrong, each with the frame in it, if there is one."""
-        unread = [problem.place.line for problem in self._problems if problem.code is ProblemCode.TEXT]
-        found: dict[int, bytes | None] = {each.line: each.report.frame for each in self._findings.frames if each.line}
-        return found | dict.fromkeys(line for line in unread if line)
-
-    def _is_fixable(self) -> bool:
-        if self._typed is None or self._assembled or not self._findings.frames:
-            return False
-        if len(self._typed) <= FEW_CHARACTERS:
-            return fix_text(self._typed).is_fixed
-        return self._findings.is_fixable
-
-    def fixed(self) -> str:
-        """Returns the text with every certain fix in it."""
-        return "" if self._typed is None else fix_text(self._typed).text
+        unread = [problem.place.line or 1 for problem in self._problems if problem.code is ProblemCode.TEXT]
+        found: dict[int, bytes | None] = {each.line or 1: each.report.frame for each in self._findings.frames}
+        return found | dict.fromkeys(unread)
 
     # The timeline
 
@@ -364,6 +412,13 @@ class Input:
             "program": None,
             "error": error,
         }
+
+
+def _is_reply(record: Record) -> bool:
+    """Returns whether a frame is from the brick: one whose direction the text does not say is what its type says."""
+    kind = record.message.type
+    is_silent = record.written is not None and record.written.direction is None
+    return kind is not None and not kind.is_command if is_silent else record.is_from_brick
 
 
 def _shortened(found: list[str], count: int) -> str:

@@ -38,6 +38,9 @@ def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
         yield operation.finding_of(codes.WRONG_KIND_OF_PORT, argument, codes.NO_PORTS, ports=ports)
     elif role is Role.PORT and number == len(SensorPort):
         yield operation.finding_of(codes.PORT_OF_NEXT_BRICK, argument, number=number, before=number - 1)
+    elif role is Role.DRIVE and number is not None and argument.length == 1 and number < 0:
+        byte = f"{0x40 + number:02X}"
+        yield operation.finding_of(codes.RAW_PERCENT, argument, number=number, byte=byte, meant=0x40 + number)
     elif (
         role is Role.MOTOR
         and number in PORT_SETS

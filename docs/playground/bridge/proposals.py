@@ -1,0 +1,133 @@
+"""What was probably meant by a wrong input: changes of a line each, and one that makes all that are certain."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+
+from ev3proto.checking.checking import check
+from ev3proto.dialogue import Exchange
+from ev3proto.reading.headline import Headline, Proposal, Subject
+from ev3proto.reading.items import Problem, ProblemCode
+from ev3proto.schema.frame import parse
+from ev3proto.semantics.identify import Kind, identify
+from ev3proto.text.fixed_text import fix_text
+from ev3proto.text.forms import as_hex
+
+from .completing import meant
+
+MOST_LINES = 12
+"""Maximum number of lines of a log for which proposals are looked for."""
+
+_LETTERS = str.maketrans("OolI", "0011")
+"""Letters that look like digits."""
+
+_BETWEEN = re.compile(r"0[xX]|\\x|\W")
+"""What may be between the bytes of a frame in hex."""
+
+_BARE = {Kind.NO_LENGTH: Subject.NO_LENGTH, Kind.OPERATIONS: Subject.NO_HEADER}
+_MISSING = {Kind.NO_LENGTH: "length-missing", Kind.OPERATIONS: "header-missing"}
+"""The kinds of what is added to bytes."""
+
+
+def bare(text: str) -> Headline | None:
+    """Returns what a line of hex is that is a frame but for its header or its length; None for any other text."""
+    data = _bytes_of(text)
+    found = None if data is None else identify(data)
+    if found is None or found.frame is None or found.kind not in _BARE or not _is_right(found.frame):
+        return None
+    exchange = Exchange(parse(found.frame, strict=False))
+    return Headline(_BARE[found.kind], exchange=exchange, worst=check(found.frame, alone=True))
+
+
+def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[Problem]) -> list[Proposal]:
+    """Returns what was probably meant by a text.
+
+    Args:
+        text: The text.
+        wrong: The numbers of its wrong lines, from 1 on, each with the frame in it, if there is one.
+        problems: What is wrong with it, if all of it is the source of something.
+    """
+    if any(problem.code is ProblemCode.SOURCE for problem in problems):
+        return list(_respelt(text, problems))
+    lines = text.split("\n")
+    if not text.strip().count("\n"):
+        wrong = {text[: len(text) - len(text.lstrip())].count("\n") + 1: next(iter(wrong.values()), None)}
+    fixed = fix_text(text)
+    certain = {each.line: each.fix.frame for each in fixed.frames if each.is_written and each.line in fixed.lines}
+    found = []
+    for number, frame in islice(sorted(wrong.items()), MOST_LINES):
+        edited = fixed.text.split("\n")[number - 1]
+        of_line = {made: (kind, line) for kind, made, line in _of_line(lines[number - 1], frame)}
+        if (made := certain.get(number)) is not None and (made in of_line or not of_line):
+            # In the notation of the line.
+            of_line[made] = of_line[made][0] if of_line else _kind_of(frame or b""), edited
+        for made, (kind, line) in of_line.items():
+            whole = "\n".join([*lines[: number - 1], line, *lines[number:]])
+            found.append(Proposal(kind, number, frame or b"", made, whole))
+    if len(fixed.lines) > 1:
+        found.append(Proposal("all", 0, "", "", fixed.text))
+    return found
+
+
+def _kind_of(frame: bytes) -> str:
+    """Returns the kind of a certain fix: of a right frame, it is only shorter."""
+    report = check(frame)
+    return "shorter" if report.accepted and not report.errors else ""
+
+
+def _respelt(text: str, problems: Sequence[Problem]) -> Iterator[Proposal]:
+    """Yields the nearest known name in place of each one that is unknown."""
+    lines = text.split("\n")
+    for problem in problems[:MOST_LINES]:
+        line, column = problem.place.line or 1, problem.place.column or 1
+        given = lines[line - 1]
+        word = re.compile(r"[\w.]*").match(given, column - 1)
+        assert word is not None
+        for name in meant(given[: word.end()])[:1]:
+            edited = [*lines[: line - 1], given[: column - 1] + name + given[word.end() :], *lines[line:]]
+            yield Proposal("name", line, word[0], name, "\n".join(edited))
+
+
+def _of_line(line: str, frame: bytes | None) -> Iterator[tuple[str, bytes, str]]:
+    """Yields what can be done about a line: the kind of each change, the frame, and the line that it makes."""
+    for start in (0, *(each.end() for each in re.finditer(r"\s+", line))):
+        text = line[start:]
+        if frame not in (None, _bytes_of(text)):
+            continue
+        if found := {made: kind for kind, made in reversed(list(_meant(text)))}:
+            for made, kind in reversed(found.items()):
+                yield kind, made, line[:start] + as_hex(parse(made))
+            return
+
+
+def _meant(text: str) -> Iterator[tuple[str, bytes]]:
+    """Yields frames that a brick accepts and that a text may mean, the likeliest first, each with its kind of slip."""
+    data = _bytes_of(text)
+    if data is None:
+        data = _bytes_of(text.translate(_LETTERS))
+        if data is not None and _is_right(data):
+            yield "letters", data
+    if data is None or _is_right(data):
+        return
+    found = identify(data)
+    if found.frame is not None and found.kind in _MISSING and _is_right(found.frame):
+        yield _MISSING[found.kind], found.frame
+    for each in check(data, alone=True).nearest:
+        if not each.unknown and _is_right(each.frame):
+            yield each.kind, each.frame
+
+
+def _bytes_of(text: str) -> bytes | None:
+    """Returns the bytes of a text that has nothing but one line of hex."""
+    digits = _BETWEEN.sub("", text.strip())
+    if "\n" in text.strip() or not digits or len(digits) % 2 or not re.fullmatch(r"[0-9A-Fa-f]+", digits):
+        return None
+    return bytes.fromhex(digits)
+
+
+def _is_right(frame: bytes) -> bool:
+    """Returns whether a brick accepts a frame, without errors."""
+    report = check(frame, alone=True)
+    return parse(frame, strict=False).fault is None and report.accepted and not report.errors

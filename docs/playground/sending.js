@@ -17,7 +17,8 @@ export const sending = (real) => {
     real.forget();
     const isReal = state().connection !== "none";
     const { isSent, error } = isReal ? await real.send(given) : outcome(await home().ask("play", JSON.stringify(given)));
-    change({ error });
+    const note = isSent ? `Sent to the ${isReal ? "real" : "virtual"} brick${state().isProgram ? ", which runs it" : ""}.` : "";
+    change({ error, note });
     if (!isSent) return;
     flash("send", "Sent");
     showEffect();

@@ -172,7 +172,7 @@ def test_a_lesson_by_keyboard(page: Page) -> None:
     page.wait(lambda: "VALUE = 7.5 V" in page.text("answer"))
     # A mistake, and its remedy.
     keyboard.write("0x|08:00|2A:00|00|01:00|81:01:60|")
-    page.wait(lambda: page.texts("#remedies button") == ["Use this"])
+    page.wait(lambda: page.texts("#remedies button") == ["Request 4 bytes of global and 0 of local memory"])
     keyboard.push("#remedies button")
     page.wait(lambda: page.text("verdict") == "The brick takes it.")
     # A tone as bytes, which the operations make an octave higher.

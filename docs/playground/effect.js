@@ -6,8 +6,9 @@ const effect = find("effect"), isWide = matchMedia("(min-width: 1000px)");
 let isSent = false;
 
 const place = () => {
-  const home = find(isSent && !isWide.matches ? "top" : "bench");
-  if (effect.parentElement !== home) home.insertBefore(effect, home.id === "top" ? null : home.firstChild);
+  const isUnder = isSent && !isWide.matches;
+  if (effect.parentElement?.id === (isUnder ? "write" : "bench")) return;
+  if (isUnder) find("remedies").after(effect); else find("bench").prepend(effect);
 };
 isWide.onchange = place;
 

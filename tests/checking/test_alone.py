@@ -95,7 +95,7 @@ def test_the_suffix_of_a_sound_is_a_warning_everywhere() -> None:
         "A6 00 01",  # the speed was set before
         "A5 00 01 1E A6 00 01",
         "A6 00 01 A5 00 01 1E",
-        "A5 00 01 81 F2 A6 00 01",  # -14 with an identification byte
+        "A5 00 01 81 CE A6 00 01",  # -50 has an identification byte
     ],
 )
 def test_no_hint(operations: str) -> None:

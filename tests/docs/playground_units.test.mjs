@@ -11,7 +11,7 @@ const module = (name) => import(pathToFileURL(`${process.env.PLAYGROUND}/${name}
 const { fragmentOf, linkTo, textOf, MOST_TEXT } = await module("address.js");
 const { derived } = await module("notations.js");
 const { overlap, partOf, rowAt, rowsByFrame, targetOf } = await module("places.js");
-const { buttonTexts, change, state, verdictOf } = await module("state.js");
+const { buttonTexts, change, state } = await module("state.js");
 
 test("a short text is in the address as it is, a long one deflated", async () => {
   assert.equal(await fragmentOf(""), "");
@@ -78,12 +78,4 @@ test("the text of a button follows from what the page knows", () => {
   assert.equal(textOfSend(), "Sent");
   change({ connection: "none", flashes: {} });
   assert.equal(textOfSend(), "Send to the brick");
-});
-
-test("a brick does not simply take what could not be read as a whole", () => {
-  const verdict = { kind: "takes", text: "The brick takes it." };
-  change({ verdict, error: "" });
-  assert.deepEqual(verdictOf(state()), verdict);
-  change({ error: "line 2: 'zz' is not hex" });
-  assert.deepEqual(verdictOf(state()), { kind: "but", text: "The brick takes it, but not all of the input could be read." });
 });

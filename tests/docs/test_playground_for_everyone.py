@@ -241,7 +241,7 @@ def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> Non
             page.click("stop-motors")
             page.wait(lambda: "OUTPUT_STOP" in page.text("answer"))
     # It follows the window: with less room it is under the headline, with more beside the input again.
-    for width, home in ((390, "top"), (1400, "bench")):
+    for width, home in ((390, "write"), (1400, "bench")):
         with emulated(browser, width, 900):
             page.wait(lambda home=home: page.run("return effect.parentElement.id") == home)
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterator
-from itertools import product
 from typing import NamedTuple
 
 from ev3proto.errors import counted
@@ -139,31 +138,37 @@ _ORDERS = (
 
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:
-    """Yields the frames whose digits of hex are the decimal digits of these bytes; those with a letter stayed."""
+    """Yields the frames whose digits of hex are the decimal digits of these bytes."""
     size = len(frame)
     length = (size - LENGTH_FIELD).to_bytes(LENGTH_FIELD, "little")
     if size <= TYPE_AT or frame[0] not in (length[0], _as_decimal(length[0])) or frame[1] != length[1]:
         return
     if any(byte > _MOST_DECIMAL and f"{byte:02x}".isdigit() for byte in frame[TYPE_AT:]):
         return
-    for stays, texts in product((_STAYS, b""), (_NO_TEXT, _TEXT)):
-        new = _from_decimals(frame, stays, texts)
-        changed = [at for at in range(TYPE_AT, size) if new[at] != frame[at]]
-        if new[TYPE_AT] in _COMMANDS and (changed[:1] == [TYPE_AT] or len(changed) > 1):
-            words = f"{new[changed[0]]:02X}", f"{frame[changed[0]]:02X}"
-            extra = 0.5 * (changed[0] != TYPE_AT) + 0.5 * (not stays) + 1.0 * (texts is _NO_TEXT)
-            yield Edit("decimals", 0, size, length + new[LENGTH_FIELD:], words, extra)
+    for one, extra in _from_decimals(length + frame[LENGTH_FIELD:]):
+        changed = [at for at in range(TYPE_AT, size) if one[at] != frame[at]]
+        if one[TYPE_AT] in _COMMANDS and (changed[:1] == [TYPE_AT] or len(changed) > 1):
+            words = f"{one[changed[0]]:02X}", f"{frame[changed[0]]:02X}"
+            yield Edit("decimals", 0, size, one, words, extra + 0.5 * (changed[0] != TYPE_AT))
 
 
-def _from_decimals(frame: bytes, stays: bytes, texts: re.Pattern[bytes]) -> bytes:
-    """Returns a frame with the bytes that the digits are in hex, but for some bytes, the counter's, and texts."""
-    new = bytearray(frame)
-    kept = {at for one in texts.finditer(frame) for at in range(*one.span())}
-    for at, byte in enumerate(frame):
-        staying = _STAYS if at < TYPE_AT else stays
-        if byte <= _MOST_DECIMAL and byte not in staying and at not in kept:
-            new[at] = int(str(byte), 16)
-    return bytes(new)
+def _from_decimals(frame: bytes) -> Iterator[tuple[bytes, float]]:
+    """Yields frames with the bytes that the digits are in hex, and their cost: those with a letter may have stayed."""
+    words, texts = ({at for one in kind.finditer(frame) for at in range(*one.span())} for kind in (_WORD, _TEXT))
+    meant = {at: int(str(byte), 16) for at, byte in enumerate(frame) if at >= LENGTH_FIELD and byte <= _MOST_DECIMAL}
+    new, either = bytearray(frame), []
+    for at, byte in meant.items():
+        if at in words:
+            continue
+        if f"{frame[at]:02x}".isdigit() or (at in texts and chr(byte).islower()):
+            new[at] = byte
+        elif at >= TYPE_AT and at not in texts:
+            either.append(at)
+    for number in range(1 << min(len(either), _MOST_OPEN)):
+        one = bytearray(new)
+        for bit, at in enumerate(either[:_MOST_OPEN]):
+            one[at] = meant[at] if number >> bit & 1 else one[at]
+        yield bytes(one), 0.4 * number.bit_count()
 
 
 def _as_decimal(byte: int) -> int:
@@ -172,12 +177,8 @@ def _as_decimal(byte: int) -> int:
     return int(digits) if digits.isdigit() else byte
 
 
-_MOST_DECIMAL = 99
-_STAYS = bytes(byte for byte in (*range(0x30), 0x3F, *range(0x40, 0x50)) if not f"{byte:02x}".isdigit())
-"""Bytes with a letter that are likelier themselves, small numbers and -1, than others in decimal, as 3C is for 60."""
-
-
-_NO_TEXT, _TEXT = re.compile(rb"(?!)"), re.compile(rb"[A-Za-z0-9_./ -]{3,}")
+_MOST_DECIMAL, _MOST_OPEN = 99, 5
+_WORD, _TEXT = re.compile(rb"[a-z./]{3,}"), re.compile(rb"[A-Za-z0-9_./ =?<>:;,+*()-]{3,}")
 
 
 def _of_type(frame: bytes) -> Iterator[Edit]:
@@ -557,13 +558,31 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
             yield Edit("cmd-place", start + 1, at + 1, new, (family.opcode.name,))
         for cmd in family.short:
             yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (family.opcode.name,), guess=1)
-    elif schema is not None and schema.declaration.parameters:
+    if reading.cost >= _SUSPICIOUS:
+        yield from _other_opcodes(code, start)
+    if family is None and schema is not None and schema.declaration.parameters:
         for other in _shorter(code, schema):
             words = (schema.declaration.name, schema.declaration.parameters[-1].name, other.declaration.name)
             distance = abs(other.head[0] - schema.head[0])
             yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
 
 
+def _other_opcodes(code: CommandCode, start: int) -> Iterator[Edit]:
+    """Yields the opcodes that differ in one digit, or are the next ones."""
+    number = code.data[start]
+    for other in range(256):
+        changed = number ^ other
+        is_next = abs(number - other) == 1
+        if changed and (is_next or not (changed & 15 and changed >> 4)):
+            schema, family = code.set.opcodes[other], code.set.families[other]
+            name = schema.declaration.name if schema else family.opcode.name if family else ""
+            if name:
+                words = f"{number:02X}", f"{other:02X}", name
+                extra = 0.5 * (not is_next) + 0.5 * (code.set.opcodes[number] is not None)
+                yield Edit("opcode-digit", start, start + 1, bytes((other,)), words, extra)
+
+
+_SUSPICIOUS = 4.0  # the cost of an operation from which on its opcode is
 _PLACE = (Role.LAYER, Role.PORT)
 
 

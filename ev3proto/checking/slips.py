@@ -88,6 +88,8 @@ SLIPS = {
     # Operations.
     "opcode": Slip(4.5, "{0} also takes {1}; {2} does not",
         "0D00 0100 80 0000 A5 00 01 8132 A5 00 01", _SPEED),
+    "opcode-digit": Slip(6, "the opcode {0} is wrong: {1}, {2}, fits what follows",
+        "0E00 0100 80 0000 93 01 02 82E803 82F401", _TONE),
     "no-cmd": Slip(4.5, "the CMD of {0} is missing",
         "0D00 0100 80 0000 94 02 82E803 82F401", _TONE),
     "cmd-place": Slip(3, "the CMD of {0} comes right after the opcode, before LAYER and NO",

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import io
+import struct
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
+
+from ev3proto.capture.record import CaptureError
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,3 +59,36 @@ def begins_with(*starts: bytes) -> Callable[[bytes], bool | None]:
         return head.startswith(starts) or (None if any(start.startswith(head) for start in starts) else False)
 
     return matches
+
+
+def records(
+    stream: BinaryIO, head: struct.Struct, at: int, length_of: Callable[[tuple[int, ...]], int]
+) -> Iterator[tuple[int, tuple[int, ...], bytes]]:
+    """Yields number, head and data of each packet of a file that has one after the other.
+
+    Args:
+        stream: The file, after its own header.
+        head: What is before the data of a packet.
+        at: The offset of the first packet.
+        length_of: Returns the number of bytes of data, given the head.
+
+    Raises:
+        CaptureError: The file is damaged or cut off; raised after everything readable.
+    """
+    number = 0
+    while begin := stream.read(head.size):
+        number += 1
+        if len(begin) < head.size:
+            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {at}")
+        fields = head.unpack(begin)
+        length = length_of(fields)
+        if not 0 <= length <= MOST_PACKET:
+            raise CaptureError(
+                f"the file is damaged at offset {at}: packet {number} would have {length} bytes; what follows cannot be"
+                " read"
+            )
+        data = stream.read(length)
+        yield number, fields, data
+        if len(data) < length:
+            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
+        at += head.size + length

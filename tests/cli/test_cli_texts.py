@@ -247,7 +247,7 @@ def test_what_a_text_says_above_the_bytes_counts_for_them() -> None:
 
 def test_commands_of_a_text_wait_within_the_memory_that_is_given(tmp_path: Path) -> None:
     path = tmp_path / "long.log"
-    wide = "fe 03 {:02x} {:02x} 00 04 00" + " 01" * 1017
+    wide = "fe 03 {:02x} {:02x} 00 04 00 82 08 84" + " 61" * 1013 + " 00"
     commands = "".join(wide.format(number & 255, number >> 8) + "\n" for number in range(1200))
     path.write_text(commands + "03 00 af 04 02\n")
     done = run("stats", "--memory", "1", str(path))

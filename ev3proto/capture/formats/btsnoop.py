@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator
+from operator import itemgetter
 from typing import BinaryIO
 
-from ev3proto.capture.packets import MOST_PACKET, Format, Interface, Packet, begins_with
+from ev3proto.capture.packets import Format, Interface, Packet, begins_with, records
 from ev3proto.capture.record import CaptureError
 from ev3proto.tables.carriers import Link
 
@@ -42,23 +43,9 @@ def packets(stream: BinaryIO) -> Iterator[Packet]:
             f"unknown packet kind {link} of a btsnoop file of version {version}; expected one of {kinds}"
         )
     interface = Interface(LINKS[link])
-    number, position = 0, len(head)
-    while head := stream.read(_record.size):
-        number += 1
-        if len(head) < _record.size:
-            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
-        size, length, flags, _, microseconds = _record.unpack(head)
-        if length > MOST_PACKET:
-            raise CaptureError(
-                f"the file is damaged at offset {position}: packet {number} would have {length} bytes; what follows"
-                " cannot be read"
-            )
-        data = stream.read(length)
+    for number, (size, _, flags, _, microseconds), data in records(stream, _record, len(head), itemgetter(1)):
         kind = _TYPES[flags & 3] if link == _WITHOUT_TYPE else b""
         yield Packet(number, (microseconds - _EPOCH) * 1000, kind + data, len(kind) + size, interface, flags)
-        if len(data) < length:
-            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {length} bytes are there")
-        position += _record.size + length
 
 
 FORMAT = Format("btsnoop", (".btsnoop", ".cfa", ".log"), len(_MAGIC), begins_with(_MAGIC), packets)

@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator
 from io import BufferedReader
 from typing import Any
 
-from ev3proto.capture.packets import Format, Interface, Packet
-from ev3proto.capture.record import CaptureError
+from ev3proto.capture.packets import Format, Interface, Packet, records
 from ev3proto.tables.carriers import Link
 
 _RECORDS = {order: struct.Struct(f"{order}IIIB") for order in "><"}
@@ -65,28 +64,12 @@ def _matches(head: bytes) -> bool | None:
 def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
     """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     interface = Interface(Link.HCI_WITH_DIRECTION)
-    order = _order_of(stream.peek(_NEEDED))
-    record = _RECORDS[order or ">"]
-    number = position = 0
-    while head := stream.read(_SIZE):
-        number += 1
-        if len(head) < _SIZE:
-            raise CaptureError(f"the file is cut off in the header of packet {number}, at offset {position}")
-        length, seconds, microseconds, kind = record.unpack(head)
-        size = length - _LEAST
-        if not 0 <= size <= _MOST:
-            raise CaptureError(
-                f"the file is damaged at offset {position}: packet {number} would have {size} bytes; what follows"
-                " cannot be read"
-            )
-        data = stream.read(size)
+    record = _RECORDS[_order_of(stream.peek(_NEEDED)) or ">"]
+    for number, (size, seconds, microseconds, kind), data in records(stream, record, 0, lambda head: head[0] - _LEAST):
         kind_of_packet, is_received = _KINDS.get(kind, (0, 0))
-        head_of_packet = _direction.pack(is_received, kind_of_packet)
+        head = _direction.pack(is_received, kind_of_packet)
         time_ns = (seconds * _SECOND + microseconds) * 1000
-        yield Packet(number, time_ns, head_of_packet + data, len(head_of_packet) + size, interface)
-        if len(data) < size:
-            raise CaptureError(f"the file is cut off in packet {number}: {len(data)} of its {size} bytes are there")
-        position += _SIZE + size
+        yield Packet(number, time_ns, head + data, len(head) + size - _LEAST, interface)
 
 
 FORMAT = Format("pklg", (".pklg",), _NEEDED, _matches, packets)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -52,15 +52,47 @@ def export() -> None:
     """  # noqa: D301 - the mark by which click leaves lines as they are
 
 
-@export.command("c-header")
-@output_options
-def c_header(output: Path | None, check: bool) -> None:
-    """Writes ev3proto.h: names, encoding macros and functions that fill a frame, for C99 and C++11.
+_FILES = {
+    "c-header": (
+        header.build,
+        "Writes ev3proto.h: names, encoding macros and functions that fill a frame, for C99 and C++11.",
+        "-o ev3proto.h",
+    ),
+    "json": (
+        tables.build_tables,
+        "Writes ev3-tables.json: opcodes, CMDs, parameters, enumerations, system commands of all dialects.",
+        "| jq '.areas.sound[0].commands[].name'",
+    ),
+    "json-schema": (
+        tables.build_schema,
+        "Writes ev3-tables.schema.json: the JSON Schema (draft 2020-12) of ev3-tables.json.",
+        "-o ev3-tables.schema.json",
+    ),
+    "output-schema": (
+        output_schemas.build,
+        "Writes ev3-output.schema.json: the JSON Schema of what decode, check, stats and values print with --json.",
+        "-o ev3-output.schema.json",
+    ),
+    "vectors": (
+        vectors.build,
+        "Writes ev3-vectors.jsonl: frames and what each says, valid and faulty, to test decoders in any language.\n\n"
+        "Each line is an object: `frame`, for replies the `request` that they answer, and the `message` of decode"
+        " --json.",
+        "| head -n 3 | jq .message",
+    ),
+}
+"""The subcommands that have no options of their own: what each writes, its help, and an example of its use."""
 
-    \b
-      ev3proto export c-header -o ev3proto.h
-    """  # noqa: D301 - the mark by which click leaves lines as they are
-    write_text(header.build(), output, check=check)
+
+def _add(name: str, build: Callable[[], str], about: str, example: str) -> None:
+    @export.command(name, help=f"{about}\n\n\b\n  ev3proto export {name} {example}")
+    @output_options
+    def write(output: Path | None, check: bool) -> None:
+        write_text(build(), output, check=check)
+
+
+for _name, _file in _FILES.items():
+    _add(_name, *_file)
 
 
 @export.command()
@@ -93,52 +125,6 @@ def javascript(decoder: bool, texts: bool, types: bool, output: Path | None, che
     """  # noqa: D301
     name = "ev3-decode" if decoder else "ev3-texts" if texts else "ev3"
     write_text(EXPORTED[f"{name}.d.ts" if types else f"{name}.mjs"](), output, check=check)
-
-
-@export.command("json")
-@output_options
-def json_tables(output: Path | None, check: bool) -> None:
-    """Writes ev3-tables.json: opcodes, CMDs, parameters, enumerations, system commands of all dialects.
-
-    \b
-      ev3proto export json | jq '.areas.sound[0].commands[].name'
-    """  # noqa: D301
-    write_text(tables.build_tables(), output, check=check)
-
-
-@export.command("json-schema")
-@output_options
-def json_schema(output: Path | None, check: bool) -> None:
-    """Writes ev3-tables.schema.json: the JSON Schema (draft 2020-12) of ev3-tables.json.
-
-    \b
-      ev3proto export json-schema -o ev3-tables.schema.json
-    """  # noqa: D301
-    write_text(tables.build_schema(), output, check=check)
-
-
-@export.command("output-schema")
-@output_options
-def output_schema(output: Path | None, check: bool) -> None:
-    """Writes ev3-output.schema.json: the JSON Schema of what decode, check, stats and values print with --json.
-
-    \b
-      ev3proto export output-schema -o ev3-output.schema.json
-    """  # noqa: D301
-    write_text(output_schemas.build(), output, check=check)
-
-
-@export.command("vectors")
-@output_options
-def test_vectors(output: Path | None, check: bool) -> None:
-    """Writes ev3-vectors.jsonl: frames and what each says, valid and faulty, to test decoders in any language.
-
-    Each line is an object: `frame`, for replies the `request` that they answer, and the `message` of decode --json.
-
-    \b
-      ev3proto export vectors | head -n 3 | jq .message
-    """  # noqa: D301
-    write_text(vectors.build(), output, check=check)
 
 
 @export.command("all")

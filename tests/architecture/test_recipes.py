@@ -113,16 +113,6 @@ def build() -> str:
     return "".join(f"{opcode.number},{opcode.name}\\n" for opcode in OPCODES)
 '''
 
-EXPORTED = '''
-
-
-@export.command()
-@output_options
-def csv(output: Path | None, check: bool) -> None:
-    """Writes opcodes.csv, for spreadsheets."""
-    write_text(opcodes_csv.build(), output, check=check)
-'''
-
 RECIPES: dict[str, tuple[Change, ...]] = {
     "An opcode": (
         Change("ev3proto/tables/timer.py", "TIMER = (\n", f"TIMER = ({ENTRIES}"),
@@ -258,7 +248,9 @@ RECIPES: dict[str, tuple[Change, ...]] = {
             "from ev3proto.generate.opcodes_csv import build as opcodes_csv\nfrom ev3proto.generate.tables_json ",
         ),
         Change(
-            "ev3proto/cli/export.py", '\n\n@export.command("c-header")', f'{EXPORTED}\n\n@export.command("c-header")'
+            "ev3proto/cli/export.py",
+            "_FILES = {\n",
+            '_FILES = {\n    "csv": (opcodes_csv.build, "Writes opcodes.csv, for spreadsheets.", "-o opcodes.csv"),\n',
         ),
         Change(
             "ev3proto/cli/export.py",

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 
-from ev3proto.generate.output_schemas.messages import definitions
-from ev3proto.generate.output_schemas.parts import Schema
+from ev3proto.generate.output_schemas.build import Schema, definitions
 from ev3proto.messages import Message
 from ev3proto.tables.frame import TYPES_BY_KIND
 

@@ -32,13 +32,7 @@ class Equipment:
     """
 
     def __init__(self, root: str | Path | None, dialect: str, stop: Callable[[], None]) -> None:
-        """Creates the equipment of a brick that has just been switched on.
-
-        Args:
-            root: The folder that serves as /home/root/lms2012; None: no files.
-            dialect: The firmware whose instruction set the brick has.
-            stop: What the back button does.
-        """
+        """Creates what a brick has that was just switched on; `stop` is what the back button does."""
         self.dialect = dialect
         self.microseconds = 0
         self.is_dead = False

@@ -6,10 +6,9 @@ import asyncio
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, fields
 from inspect import cleandoc
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
@@ -17,7 +16,7 @@ from ev3proto.brick.declared import DeclarationError
 from ev3proto.brick.dispatch import coverage as covered_operations
 from ev3proto.brick.limits import DEVIATIONS
 from ev3proto.brick.plugs import CORE_SET_SENTENCE
-from ev3proto.brick.servers.host import Faults, ServerError
+from ev3proto.brick.servers.host import ServerError
 from ev3proto.brick.servers.reporting import Reporter
 from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options, running
@@ -33,7 +32,6 @@ from ev3proto.cli.options import (
     bare_option,
     dialect_option,
     exclusive,
-    gathered,
 )
 from ev3proto.cli.output import Failure, Printer, complain, failing_on, failing_to, flush, say
 from ev3proto.cli.unblocked import unblocked_output
@@ -63,90 +61,61 @@ screenshot_option = click.option(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class BrickOptions:
-    """The options of `brick`. Those with the names of the server's are the server's."""
-
-    address: str
-    port: int
-    beacon: bool
-    wifi: bool
-    clients: int
-    serial: Path | None
-    page: int | None
-    root: Path | None
-    script: Path | None
-    bare: bool
-    record: Path | None
-    force: bool
-    report: bool
-    errors_only: bool
-    as_json: bool
-    serial_number: str | None
-    screenshot: Path | None
-    dialect: str
-    quiet: bool
-    coverage: bool
-
-    def server(self, faults: Faults) -> Options:
-        """Returns the options of the server. Ends the program if the script cannot be read."""
-        own = {field.name for field in fields(self)}
-        same = {field.name: getattr(self, field.name) for field in fields(Options) if field.name in own}
-        more = {"port": self.port if self.wifi else None, "script": read_script_file(self.script)}
-        return Options(**{**same, **more}, core_set=not self.bare, faults=faults)
-
-
-_options = gathered(
-    BrickOptions,
-    "options",
-    click.option(
-        "--address",
-        default="127.0.0.1",
-        metavar="ADDRESS",
-        help="Address to listen on; by default only this computer's.",
-    ),
-    click.option(
-        "--port", type=PORT, default=TCP_PORT, show_default=True, metavar="PORT", help="TCP port for WiFi; 0 for any."
-    ),
-    click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon."),
-    click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi."),
-    click.option(
-        "--clients",
-        type=Whole(1, _MOST_CLIENTS),
-        default=1,
-        show_default=True,
-        metavar="NUMBER",
-        help="Clients served at once; a real brick serves one, and others wait.",
-    ),
-    click.option("--serial", type=PATH, metavar="PATH", help="Also offer a serial port, linked to this path."),
-    page_option,
-    root_option,
-    script_option,
-    bare_option,
-    click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng)."),
-    click.option("--force", is_flag=True, help="Overwrite the file of --record, if it exists."),
-    click.option(
-        "--report",
-        is_flag=True,
-        help="At the end, report what `check` finds in the clients' frames; exit status 1 if there are errors.",
-    ),
-    click.option("--errors-only", is_flag=True, help="Report errors only."),
-    click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line."),
-    click.option(
-        "--serial-number", type=SerialNumber(), metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits."
-    ),
-    screenshot_option,
-    dialect_option,
-    click.option("--quiet", is_flag=True, help="Do not mention the equipment and the differences from a real brick."),
-    click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit."),
-)
-
-
 @click.command()
-@_options
+@click.option(
+    "--address",
+    default="127.0.0.1",
+    metavar="ADDRESS",
+    help="Address to listen on; by default only this computer's.",
+)
+@click.option(
+    "--port", type=PORT, default=TCP_PORT, show_default=True, metavar="PORT", help="TCP port for WiFi; 0 for any."
+)
+@click.option("--beacon/--no-beacon", default=True, help="Announce the brick by UDP beacon.")
+@click.option("--wifi/--no-wifi", default=True, help="Let programs connect by WiFi.")
+@click.option(
+    "--clients",
+    type=Whole(1, _MOST_CLIENTS),
+    default=1,
+    show_default=True,
+    metavar="NUMBER",
+    help="Clients served at once; a real brick serves one, and others wait.",
+)
+@click.option("--serial", type=PATH, metavar="PATH", help="Also offer a serial port, linked to this path.")
+@page_option
+@root_option
+@script_option
+@bare_option
+@click.option("--record", type=FILE, metavar="FILE", help="Record to this capture file (pcapng).")
+@click.option("--force", is_flag=True, help="Overwrite the file of --record, if it exists.")
+@click.option(
+    "--report",
+    is_flag=True,
+    help="At the end, report what `check` finds in the clients' frames; exit status 1 if there are errors.",
+)
+@click.option("--errors-only", is_flag=True, help="Report errors only.")
+@click.option("--json", "as_json", is_flag=True, help="Report one JSON object a line.")
+@click.option(
+    "--serial-number", type=SerialNumber(), metavar="HEX", help="Serial number of the brick, 12 hexadecimal digits."
+)
+@screenshot_option
+@dialect_option
+@click.option("--quiet", is_flag=True, help="Do not mention the equipment and the differences from a real brick.")
+@click.option("--coverage", is_flag=True, help="List the operations that are not implemented, and exit.")
 @fault_options
 @exclusive("--no-wifi", "--port", "--beacon")
-def brick(options: BrickOptions, faults: Faults) -> None:
+def brick(
+    port: int,
+    wifi: bool,
+    root: Path | None,
+    script: Path | None,
+    bare: bool,
+    errors_only: bool,
+    as_json: bool,
+    quiet: bool,
+    coverage: bool,
+    **same: Any,
+) -> None:
     """Runs a virtual brick for programs to connect to.
 
     It answers as the firmware V1.04H does. Programs connect by WiFi on this computer, or on a serial port. The first
@@ -177,37 +146,31 @@ def brick(options: BrickOptions, faults: Faults) -> None:
       ev3proto brick --http --script robot.toml
       ev3proto brick --serial /tmp/ev3 --record talk.pcapng --report
     """  # noqa: D301 - the mark by which click leaves lines as they are
-    if options.coverage:
-        _show_coverage(options.dialect)
+    if coverage:
+        _show_coverage(same["dialect"])
         return
-    server = _server(options, faults)
-    if not options.quiet:
-        if server.has_core_set:
+    options = Options(port=port if wifi else None, script=read_script_file(script), core_set=not bare, **same)
+    if (errors_only or as_json) and not options.report:
+        raise click.UsageError("--errors-only and --json need --report")
+    if options.port is None and options.serial is None and options.page is None:
+        raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
+    if not quiet:
+        if options.has_core_set:
             complain(CORE_SET_SENTENCE)
         complain(f"this brick differs from a real one in {len(DEVIATIONS)} ways: ev3proto brick --help lists them")
-    with folder(options.root) as place, unblocked_output():
-        reporter = asyncio.run(_serve(server, place))
+    with folder(root) as place, unblocked_output():
+        reporter = asyncio.run(_serve(options, place))
     if reporter is not None:
-        _report(reporter, options)
+        _report(reporter, as_json=as_json, errors_only=errors_only)
 
 
-def _server(options: BrickOptions, faults: Faults) -> Options:
-    """Returns the options of the server. Raises click.UsageError for some that do not fit together."""
-    server = options.server(faults)
-    if (options.errors_only or options.as_json) and not options.report:
-        raise click.UsageError("--errors-only and --json need --report")
-    if server.port is None and server.serial is None and server.page is None:
-        raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
-    return server
-
-
-def _report(reporter: Reporter, options: BrickOptions) -> NoReturn:
+def _report(reporter: Reporter, *, as_json: bool, errors_only: bool) -> NoReturn:
     """Prints what `check` found in the clients' frames, and ends the program."""
-    if options.as_json:
-        for line in reporter.json_lines(errors_only=options.errors_only):
+    if as_json:
+        for line in reporter.json_lines(errors_only=errors_only):
             say(line)
     else:
-        Printer().lines(reporter.lines(errors_only=options.errors_only))
+        Printer().lines(reporter.lines(errors_only=errors_only))
     sys.exit(1 if reporter.has_errors else 0)
 
 

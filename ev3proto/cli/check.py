@@ -61,19 +61,7 @@ ALL_CODES = "all"
 
 @dataclass(frozen=True, slots=True)
 class CheckOptions:
-    """The options of `check`.
-
-    as_json      print JSON, as with the style `json`
-    strict       count warnings as errors in the exit status
-    fixes        print the fixed frame and the remaining findings
-    no_hints     show errors and warnings only
-    errors_only  show errors only
-    whole        show findings that a suggestion resolves, too
-    quiet        only the summary is printed
-    style        one of FORMATS; None for the default
-    carrier      what carries the frames; None: as the capture says, or any
-    code         the code to explain, instead of checking anything
-    """
+    """The options of `check`, as its help explains them; `style` is one of REPORTS, None for the default."""
 
     as_json: bool = False
     strict: bool = False

@@ -54,12 +54,7 @@ FORMS: dict[str, Callable[[Message, int, Dialogue], str | bytes]] = {
 
 @dataclass(frozen=True, slots=True)
 class Making:
-    """How messages are made of assembly.
-
-    counter    message counter of the first one that states none
-    reply      whether those without a header want a reply; None: if their operations return values
-    unchecked  accept values that mean nothing to the brick
-    """
+    """How messages are made of assembly; without `reply`, those want one whose operations return values."""
 
     counter: int = 0
     reply: bool | None = None
@@ -68,12 +63,7 @@ class Making:
 
 @dataclass(frozen=True, slots=True)
 class Building:
-    """How the image of a program is made of its source.
-
-    source_dialect  of the source; None: all are tried
-    version         of the image; None for the usual one
-    shortest        shorten labels, and share the code of equal objects
-    """
+    """How the image of a program is made of its source: without a dialect all are tried."""
 
     source_dialect: str | None = None
     version: int | None = None

@@ -37,10 +37,8 @@ class Versions:
 class Battery:
     """Six good cells, which do not run down."""
 
-    voltage: float = 7.5
-    """Volt."""
-    current: float = 0.2
-    """Ampere."""
+    voltage: float = 7.5  # volt
+    current: float = 0.2  # ampere
 
     @property
     def percent(self) -> int:
@@ -54,12 +52,9 @@ class Panel(Part):
 
     versions: Versions = field(default_factory=Versions)
     battery: Battery = field(default_factory=Battery)
-    pattern: int = _LED["LED_GREEN"]
-    """The light's pattern as it was set."""
-    warnings: int = 0
-    """Bits of WARNING."""
-    address: bytes = b""
-    """IP address of the cable's network interface."""
+    pattern: int = _LED["LED_GREEN"]  # of the light, as it was set
+    warnings: int = 0  # bits of WARNING
+    address: bytes = b""  # IP address of the cable's network interface
 
     @property
     def light(self) -> int:

@@ -265,15 +265,9 @@ class Inputs(Part):
             self.keep_busy(self._devices[number])
 
     def select(self, device: Device, type: int, mode: int, *, always: bool = False) -> None:
-        """Changes type and mode of a device; TYPE_KEEP and MODE_KEEP leave them.
+        """Changes type and mode of a device, `always` also of a busy one; TYPE_KEEP and MODE_KEEP leave them.
 
         An EV3 sensor that is known by its resistor keeps its type; an unknown mode selects the type's last one.
-
-        Args:
-            device: The device.
-            type: The type that a program takes it for.
-            mode: The mode.
-            always: Whether a device that is busy is changed, too.
         """
         if device.is_empty or (self.is_busy(device) and not always):
             return

@@ -53,30 +53,14 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone, which replaces what is playing.
-
-        Args:
-            volume: Percent; a negative one is the loudest.
-            frequency: Hertz, read without sign, and clamped.
-            duration: Milliseconds, read without sign; 0: without end.
-            now: The clock in microseconds.
-        """
+        """Plays a tone of so many percent, hertz and milliseconds, 0: without end; a negative volume is the loudest."""
         level = _TONE_LEVELS if volume < 0 else min(-(-volume // _TONE_STEP), _TONE_LEVELS)
         frequency = max(LOWEST, min(frequency & _UNSIGNED, HIGHEST))
         duration = (duration & _UNSIGNED) * 1000
         self.playing = Playing(level * _TONE_STEP, frequency, b"", now, now + duration if duration else None)
 
     def play(self, volume: int, file: bytes, is_repeated: bool, now: int) -> None:
-        """Plays a sound file, in place of what is playing.
-
-        As in the driver, one that does not exist or has no data does not end by itself.
-
-        Args:
-            volume: Percent; a negative one is the loudest.
-            file: Its contents; empty if it does not exist.
-            is_repeated: Whether it is played without end.
-            now: The clock in microseconds.
-        """
+        """Plays the contents of a sound file; as in the driver, one without data, or that is missing, does not end."""
         level = len(_FILE_LEVELS) if volume < 0 else bisect(_FILE_LEVELS, volume)
         length = _length(file)
         ends = now + length if length and not is_repeated else None

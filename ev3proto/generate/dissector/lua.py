@@ -46,13 +46,7 @@ def hexadecimal(number: int) -> Name:
 
 
 def literal(value: object, depth: int = 0, head: int = 0) -> str:
-    """Writes a value as Lua: a whole number, a text, a truth value, a `Name` or a `Table`.
-
-    Args:
-        value: The value.
-        depth: The depth of indentation.
-        head: Number of characters before it on its line, without the indentation.
-    """
+    """Writes a value as Lua, indented; `head` is the number of characters before it on its line."""
     if not isinstance(value, Table):
         return _scalar(value)
     pieces = [prefix + literal(inner, depth + 1, len(prefix)) for prefix, inner in value.entries()]

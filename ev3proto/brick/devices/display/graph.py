@@ -24,14 +24,10 @@ _NOTHING = math.nan
 class Scale(NamedTuple):
     """Where one item is drawn, and its value now."""
 
-    offset: int
-    """Row of its top."""
-    span: int
-    """Its height in pixels."""
-    least: float
-    """The value at the bottom."""
-    most: float
-    """The value at the top."""
+    offset: int  # row of its top
+    span: int  # its height in pixels
+    least: float  # the value at the bottom
+    most: float  # the value at the top
     value: float
 
 

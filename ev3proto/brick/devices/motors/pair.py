@@ -34,13 +34,9 @@ class Pair(Activity):
         self._is_closing = False
 
     def begin(self, speed: int, length: int, brake: int, owner: int) -> None:
-        """Begins the move.
+        """Begins the move: percent of the master; degrees or milliseconds, 0: without end; a brake of 0: coast.
 
-        Args:
-            speed: Percent of the master.
-            length: Degrees or milliseconds, reversed if its sign is not that of the speed; 0: without end.
-            brake: What both do at the end, 0: coast.
-            owner: The object that begins it.
+        The length is reversed if its sign is not that of the speed.
         """
         master, slave = self.motors
         self._speed = speed = clamp(speed, PERCENT)

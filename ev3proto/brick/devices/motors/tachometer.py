@@ -56,16 +56,7 @@ class Tachometer:
         self._still_since = counter(tick)
 
     def pass_degrees(self, place: int, step: int, tick: int) -> int:
-        """Notes the degrees that pass in a tick.
-
-        Args:
-            place: Where the tick began, in parts of a degree.
-            step: How far the motor turned.
-            tick: Number of the tick.
-
-        Returns:
-            The degrees that the driver counts.
-        """
+        """Notes the degrees that pass in a tick, from a place on. Returns those that the driver counts."""
         first, last = place // DEGREE, (place + step) // DEGREE
         if first == last:
             return 0

@@ -53,7 +53,7 @@ class Sound(Part):
         self.playing: Playing | None = None
 
     def tone(self, volume: int, frequency: int, duration: int, now: int) -> None:
-        """Plays a tone of so many percent, hertz and milliseconds, 0: without end; a negative volume is the loudest."""
+        """Plays a tone, by percent, hertz and milliseconds, 0: without end; a negative volume is the loudest."""
         level = _TONE_LEVELS if volume < 0 else min(-(-volume // _TONE_STEP), _TONE_LEVELS)
         frequency = max(LOWEST, min(frequency & _UNSIGNED, HIGHEST))
         duration = (duration & _UNSIGNED) * 1000

@@ -30,7 +30,7 @@ class Mailboxes:
     """All of them."""
 
     def __init__(self) -> None:
-        self.boxes = [Mailbox() for _ in range(BOXES)]
+        self.close_all()
 
     def open(self, number: int, name: bytes, type: int) -> bool:
         """Opens an empty box. Returns False if it is already open."""

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ev3proto.schema.header import HEADER_SIZE, frame_end
 from ev3proto.tables.program import SIGN
 from ev3proto.text.paste import Pasted
+from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.splitting import frame_ends, split
 
 if TYPE_CHECKING:
@@ -139,17 +140,13 @@ def _wrong_sound(start: bytes, size: int) -> str | None:
         return f"a sound file that is too short: its header has {_SOUND.size} bytes, the file has {size}"
     kind, stated, rate, _ = _SOUND.unpack_from(start)
     if kind not in _SOUND_FORMATS:
-        return f"not a sound file of the brick: it starts with {_hex(start[:2])}, which must be 01 00 or 01 01"
+        return f"not a sound file of the brick: it starts with {spaced_hex(start[:2])}, which must be 01 00 or 01 01"
     if stated != size - _SOUND.size:
         return (
             f"a sound file whose header says {stated} bytes of sound, but {size - _SOUND.size} follow;"
             " SOUND.PLAY plays it to the end of the file"
         )
     return None if rate else "a sound file whose header says 0 Hz; 8000 is usual"
-
-
-def _hex(data: bytes) -> str:
-    return data.hex(" ").upper()
 
 
 def is_image(start: bytes) -> bool:

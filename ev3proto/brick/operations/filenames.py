@@ -8,7 +8,7 @@ from ev3proto.brick import archives
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.operations.files import checked_name, in_own_folder
+from ev3proto.brick.operations.files import checked_name, in_own_folder, write_or_cut
 from ev3proto.brick.steps import Steps
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -48,21 +48,13 @@ def split(vm: Machine, path: bytes, length: int, folder: Location, name: Locatio
     """Writes each part, cut to fit."""
     parts = paths.split(path)
     for place, text in zip((folder, name, extension), parts, strict=True):
-        _write(vm, place, text, length)
-
-
-def _write(vm: Machine, place: Location, text: bytes, length: int) -> None:
-    """Cuts a text to the length; an array gets all of it instead."""
-    if place.handle >= 0:
-        vm.write_text(place, text)
-    else:
-        place.write_cut(text, length)
+        write_or_cut(vm, place, text, length)
 
 
 @handles("FILENAME.MERGE")
 def merge(vm: Machine, folder: bytes, name: bytes, extension: bytes, length: int, path: Location) -> None:
     """Writes a path; a slash always follows the folder."""
-    _write(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
+    write_or_cut(vm, path, (folder + b"/" + name + extension)[:_MOST_PATH], length)
 
 
 @handles("FILENAME.CHECK", places=("FILENAME",))
@@ -74,7 +66,7 @@ def check(vm: Machine, place: Location, is_fine: Location) -> None:
 @handles("FILENAME.GET_FOLDERNAME")
 def folder_name(vm: Machine, length: int, destination: Location) -> None:
     """Writes the program's own folder, without the last slash."""
-    _write(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
+    write_or_cut(vm, destination, vm.program.folder.encode(STRING_CODING).removesuffix(b"/"), length)
 
 
 def _archive(path: bytes) -> bytes:

@@ -54,6 +54,14 @@ def in_own_folder(vm: Machine, name: bytes) -> bytes:
     return name if b"/" in name else vm.program.folder.encode(STRING_CODING) + name
 
 
+def write_or_cut(vm: Machine, place: Location, text: bytes, length: int) -> None:
+    """Cuts a text to the length; an array gets all of it instead."""
+    if place.handle >= 0:
+        vm.write_text(place, text)
+    else:
+        place.write_cut(text, length)
+
+
 # Opening and closing
 
 

@@ -12,7 +12,7 @@ from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
-from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name
+from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name, write_or_cut
 from ev3proto.brick.steps import Failure
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -123,7 +123,4 @@ def log_name(vm: Machine, length: int, destination: Location) -> None:
     """Writes the name of the open log, or an empty one. An array gets all of it."""
     logs = (entry for entry in vm.program.handles.entries() if isinstance(entry, OpenFile) and entry.is_log)
     name = next((log.name for log in logs), b"")
-    if destination.handle >= 0:
-        vm.write_text(destination, name)
-    else:
-        destination.write_cut(name, length)
+    write_or_cut(vm, destination, name, length)

@@ -44,7 +44,7 @@ def build() -> str:
         *_facts(),
         "",
         *_numbers(declared=False),
-        _written("runtime.mjs"),
+        written_file("runtime.mjs"),
         *_kinds(),
         "",
     ]
@@ -65,7 +65,7 @@ def build() -> str:
 
 def build_types() -> str:
     """Returns the text of ev3.d.ts."""
-    lines = [_HEAD.replace("$VERSION", VERSION), *_numbers(declared=True), _written("runtime.d.ts")]
+    lines = [_HEAD.replace("$VERSION", VERSION), *_numbers(declared=True), written_file("runtime.d.ts")]
     lines += [f"/** {_OPS} */", "export declare const ops: {"]
     for family, functions in families().items():
         body = _signatures(functions, "    " if family else "  ")
@@ -79,7 +79,8 @@ def build_types_of_module(name: str = MODULE_NAME) -> str:
     return f'export * from "./{name.removesuffix(".mjs")}.js";\n'
 
 
-def _written(name: str) -> str:
+def written_file(name: str) -> str:
+    """Returns a part of a module that is written by hand, a file of this folder."""
     return (resources.files(__package__) / name).read_text(encoding="utf-8")
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
-from importlib import resources
 from typing import Any
 
+from ev3proto.generate.javascript.build import written_file
 from ev3proto.generate.javascript.typescript import declarations_of_messages
 from ev3proto.generate.tables_json.build import build_tables
 from ev3proto.tables.declaration import Role
@@ -79,7 +79,7 @@ def build_decoder() -> str:
         if name in named
     }
     tables_text = f"/** A part of ev3-tables.json. */\nconst TABLES = {_parsed(found)};\n\n"
-    return _decoder_head() + tables_text + _written("decode.mjs")
+    return _decoder_head() + tables_text + written_file("decode.mjs")
 
 
 def _kept(entries: list[Json], keys: tuple[str, ...]) -> list[Json]:
@@ -104,7 +104,7 @@ def build_texts() -> str:
     # By number: the bootloader has names of the firmware again.
     found["system_commands"] = {each["number"]: each["text"] for each in tables["system_commands"]}
     areas: Json = {area: dict(_said(entries)) for area, entries in tables["areas"].items()}
-    return f"{_texts_head()}const found = {_parsed(found | {'areas': areas})};\n{_written('texts.mjs')}"
+    return f"{_texts_head()}const found = {_parsed(found | {'areas': areas})};\n{written_file('texts.mjs')}"
 
 
 def _said(opcodes: list[Json]) -> Iterator[tuple[str, list[Any]]]:
@@ -121,12 +121,12 @@ def _said(opcodes: list[Json]) -> Iterator[tuple[str, list[Any]]]:
 
 def build_decoder_types() -> str:
     """Returns the text of ev3-decode.d.ts."""
-    return _decoder_head() + _written("decode.d.ts") + declarations_of_messages()
+    return _decoder_head() + written_file("decode.d.ts") + declarations_of_messages()
 
 
 def build_texts_types() -> str:
     """Returns the text of ev3-texts.d.ts."""
-    return _texts_head() + _written("texts.d.ts")
+    return _texts_head() + written_file("texts.d.ts")
 
 
 def _decoder_head() -> str:
@@ -147,7 +147,3 @@ def _parsed(value: Json) -> str:
     text = json.dumps(value, separators=(",", ":"), ensure_ascii=False)
     escaped = re.sub(r"[`$\\]", r"\\\g<0>", text)
     return f"JSON.parse(`{escaped}`)"
-
-
-def _written(name: str) -> str:
-    return (resources.files(__package__) / name).read_text(encoding="utf-8")

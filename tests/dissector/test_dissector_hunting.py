@@ -184,8 +184,8 @@ def test_commands_on_a_connection_without_the_unlock_text_say_so(tshark: Tshark)
         stream.send(tone(2))
     places.append(locked.send(tone(3)))
     path = tshark.place(capture.data(), "hunting.pcap")
-    found = tshark.run(path, "-2", "-T", "fields", "-e", "frame.number", "-e", "_ws.expert.message").splitlines()
-    assert [int(line.split("\t")[0]) for line in found if said in line] == places
+    trees = tshark.run(path, "-2", "-V").split("\nFrame ")
+    assert [int(tree.partition(":")[0]) for tree in trees if f"[{said}]" in tree] == places
     # One pass does not know that the reply is still to come.
     notes = {each.number: each.note for each in ev3proto.read(path) if isinstance(each, ev3proto.Record)}
     assert [number for number, note in notes.items() if note] == sorted((*places, first))
@@ -200,4 +200,6 @@ def test_ports_have_a_bit_each_and_no_number_below_zero_is_a_large_one(tshark: T
     path = tshark.place(capture.data(), "ports.pcap")
     asked = [word for letter in "abcd" for word in ("-e", f"ev3.ports.{letter}")]
     words = ("-T", "fields", *asked, "-e", "ev3.output_start.layer", "-e", "ev3.argument.value")
-    assert tshark.run(path, *words).splitlines() == ["0\t1\t1\t0\t0\t", "1\t0\t0\t0\t\t-1"]
+    # Since 4.4, bits are words.
+    lines = tshark.run(path, *words).replace("True", "1").replace("False", "0")
+    assert lines.splitlines() == ["0\t1\t1\t0\t0\t", "1\t0\t0\t0\t\t-1"]

@@ -3314,7 +3314,7 @@ do
 
     -- Returns the names of the operations after the first one, as far as there is room.
     function phrases.others_text(names)
-        local size, shown, index = 0, {}, 1
+        local size, shown, index = 0, {}, 2
         while index <= #names do
             local name, first = names[index], index
             while names[index + 1] == name do
@@ -3460,6 +3460,23 @@ do
         return parameter.is_float and encoding.is_long and not find(text, "[^%d-]") and text .. ".0" or text
     end
 
+    -- The values for the names in the words about a constant, which is described by `about`.
+    local PARTS = {
+        name = function(about) return about.parameter.name end,
+        owner = function(about) return about.owner end,
+        kind = function(about) return TYPE_NAMES[about.parameter.type] end,
+        ports = function(about) return PORT_SETS[about.value] end,
+        value = function(about) return spelled(about.parameter, about.encoding, about.value) end,
+        read = function(about) return format("%d", about.read) end,
+        aside = function(about) return about.read and format("; the brick reads it as %d", about.read) or "" end,
+        type = function(about) return "a " .. about.parameter.limits.text end,
+        accepted = function(about) return about.parameter.accepted.named end,
+        outside = function(about) return about.parameter.outside[1] end,
+        byte = function(about) return format("0x%02X", about.byte) end,
+        characters = function(about) return phrases.plural(#about.value, "character") end,
+        most = function(about) return format("%d", about.parameter.most) end,
+    }
+
     -- Returns what `ev3proto check` says of a constant, and its code; nil if it says nothing.
     function phrases.misuse(parameter, encoding, value, owner, byte_code)
         local wrong, read = phrases.judge(parameter, encoding, value)
@@ -3467,16 +3484,10 @@ do
             if not parameter.is_set or value ~= 0 then return nil end
             wrong = "NO_PORTS"
         end
-        local limits, accepted, size = parameter.limits, parameter.accepted, type(value) == "string" and #value or 0
-        local parts = {
-            name = parameter.name, owner = owner, kind = TYPE_NAMES[parameter.type], ports = PORT_SETS[value],
-            value = type(value) == "number" and spelled(parameter, encoding, value),
-            read = read and format("%d", read), aside = read and format("; the brick reads it as %d", read) or "",
-            type = limits and "a " .. limits.text, accepted = accepted and accepted.named,
-            outside = parameter.outside and parameter.outside[1], byte = format("0x%02X", byte_code),
-            characters = phrases.plural(size, "character"), most = parameter.most,
+        local about = {
+            parameter = parameter, encoding = encoding, value = value, read = read, owner = owner, byte = byte_code,
         }
-        return phrases.finding(wrong, parts)
+        return phrases.finding(wrong, function(name) return PARTS[name](about) end)
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -4088,7 +4099,7 @@ do
     -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
     -- `wants_steps` the `steps` of their items.
     local function read(text, at, wants_steps, globals, locals)
-        local first, phrase, others, fault, line = nil, "", {}, nil, ""
+        local first, phrase, names, fault, line = nil, "", {}, nil, ""
         local steps = wants_steps and {} or nil
         local run = { text = text, steps = steps, globals = globals, locals = locals, complaints = {}, outputs = {} }
         while at < #text and not fault do
@@ -4115,9 +4126,8 @@ do
             local said = run.said
             if not first then
                 first, phrase = selected, said
-            else
-                others[#others + 1] = selected.name
             end
+            names[#names + 1] = selected.name
             if steps then
                 steps[heading + 3] = after - at
                 steps[heading + 6] = cmd and cmd .. said or said ~= "" and sub(said, 2)
@@ -4126,11 +4136,12 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if first then line = first.name .. phrase end
-        if others[1] then line = line .. " " .. phrases.others_text(others) end
+        if names[2] then line = line .. " " .. phrases.others_text(names) end
         if first and run.remark then line = format("%s [%s]", line, run.remark) end
         return {
             line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
+            names = names[2] and names,
         }
     end
 
@@ -4235,13 +4246,25 @@ do
         end
     end
 
+    -- Tells whether the name of an output's operation occurs more than once in its command.
+    local function has_twins(summary)
+        local counts = {}
+        for _, name in ipairs(summary.names) do
+            counts[name] = (counts[name] or 0) + 1
+        end
+        for _, output in ipairs(summary.outputs) do
+            if counts[output.operation.name] > 1 then return true end
+        end
+        return false
+    end
+
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
         local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
         if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
             summary.is_told = true
-            add_tellings(outputs, body)
+            if has_twins(summary) then add_tellings(outputs, body) end
         end
         for _, output in ipairs(outputs) do
             if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
@@ -6368,4 +6391,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 4a72b556a0f84f63
+-- Checksum of the lines above, by which a changed file is recognised: d7a5da80f05567c0

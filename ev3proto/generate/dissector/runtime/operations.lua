@@ -187,7 +187,7 @@ do
     -- read; the `fault`, or nil; the `first` operation, or nil; `remark`, `complaints`, `outputs`, and with
     -- `wants_steps` the `steps` of their items.
     local function read(text, at, wants_steps, globals, locals)
-        local first, phrase, others, fault, line = nil, "", {}, nil, ""
+        local first, phrase, names, fault, line = nil, "", {}, nil, ""
         local steps = wants_steps and {} or nil
         local run = { text = text, steps = steps, globals = globals, locals = locals, complaints = {}, outputs = {} }
         while at < #text and not fault do
@@ -214,9 +214,8 @@ do
             local said = run.said
             if not first then
                 first, phrase = selected, said
-            else
-                others[#others + 1] = selected.name
             end
+            names[#names + 1] = selected.name
             if steps then
                 steps[heading + 3] = after - at
                 steps[heading + 6] = cmd and cmd .. said or said ~= "" and sub(said, 2)
@@ -225,11 +224,12 @@ do
             if reason then fault = { at = offset, reason = reason, kind = kind } end
         end
         if first then line = first.name .. phrase end
-        if others[1] then line = line .. " " .. phrases.others_text(others) end
+        if names[2] then line = line .. " " .. phrases.others_text(names) end
         if first and run.remark then line = format("%s [%s]", line, run.remark) end
         return {
             line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
+            names = names[2] and names,
         }
     end
 
@@ -334,13 +334,25 @@ do
         end
     end
 
+    -- Tells whether the name of an output's operation occurs more than once in its command.
+    local function has_twins(summary)
+        local counts = {}
+        for _, name in ipairs(summary.names) do
+            counts[name] = (counts[name] or 0) + 1
+        end
+        for _, output in ipairs(summary.outputs) do
+            if counts[output.operation.name] > 1 then return true end
+        end
+        return false
+    end
+
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
         local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
         if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
             summary.is_told = true
-            add_tellings(outputs, body)
+            if has_twins(summary) then add_tellings(outputs, body) end
         end
         for _, output in ipairs(outputs) do
             if reply_values.read(output, outputs, memory) then found[#found + 1] = output end

@@ -13,7 +13,7 @@ from ev3proto.semantics import advice
 from ev3proto.tables.strangers import LINES, StrangeLine
 from ev3proto.text.paste import elements, read_text, repairs, runs
 from ev3proto.text.paste.elements import BYTES, FORMS, Form, elements_of
-from ev3proto.text.paste.repairs import REPAIRS, Repair
+from ev3proto.text.paste.repairs import REPAIRS, SLIPS, Repair, Slip, slip_in
 
 FASTER = ("run", "digits", "word")
 """Kinds of forms of which one row only saves time."""
@@ -70,6 +70,13 @@ def test_a_line_about_something_else_is_needed_by_its_example(line: StrangeLine)
     assert [piece.problem for piece in read_text([line.example])] == [line.says]
     with without(advice, "LINES", line):
         assert line.says not in [piece.problem for piece in read_text([line.example])]
+
+
+@each("slip", SLIPS[:-1])
+def test_a_slip_is_needed_by_its_example(slip: Slip) -> None:
+    whole = slip_in(slip.example)
+    with without(repairs, "SLIPS", slip):
+        assert slip_in(slip.example) != whole
 
 
 @each("repair", REPAIRS)

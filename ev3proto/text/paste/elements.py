@@ -296,7 +296,7 @@ UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 _ONLY_DIGITS = re.compile(rf"(?!0[bB][01]{{8}}$){_H}+")
 _UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
 _NAMED = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
-MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<escape>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
+MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<word>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
 r"""An escape without hex digits, such as `\xof`."""
 _LONGEST_KEPT, _MOST_KEPT = 8, 1 << 14
 

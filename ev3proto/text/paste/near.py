@@ -13,9 +13,9 @@ from itertools import islice
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_end, frame_size, may_start
-from ev3proto.semantics.identify import LOOKS, Kind, identify, is_prose
+from ev3proto.semantics.identify import LOOKS, Kind, identify
 from ev3proto.tables.frame import LENGTH_FIELD
-from ev3proto.text.paste.elements import BYTES, MISSPELT, TextElement, clean, string_bytes
+from ev3proto.text.paste.elements import BYTES, TextElement, clean, string_bytes
 from ev3proto.text.paste.frames import (
     HASHES,
     bare_reason,
@@ -24,7 +24,7 @@ from ev3proto.text.paste.frames import (
 )
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
-from ev3proto.text.paste.repairs import LOOKALIKES
+from ev3proto.text.paste.repairs import slip_in
 from ev3proto.text.paste.runs import AROUND, Part, Row, Run
 from ev3proto.text.paste.strangers import strange_bytes
 
@@ -87,12 +87,11 @@ def _wrong(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes that are a frame but for their header, or of which the end is missing."""
     parts = ((run, base, part) for run in runs for base in run.bases for part in run.parts(base))
     for run, base, part in parts:
-        is_decimal = base in ("bits", "octal", "words", "decimal") and any(run.widths)
         for start, end in islice(run.between_breaks(part), _MOST_STARTS):
             end = len(part.data) if run.is_cut(part) else end
             data = part.data[start:end]
             is_possible = len(data) >= LOOKS and not _is_digest(part, data)
-            if is_possible and identify(data, is_doubtful=is_decimal, missing=False).is_meant:
+            if is_possible and identify(data, missing=False).is_meant:
                 yield _with_stop(Near(data, run, part, start, end), base, rows)
 
 
@@ -105,7 +104,7 @@ def _is_digest(part: Part, data: bytes) -> bool:
 
 def _begun(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes that break off at a slip, an ellipsis, or the end of the line."""
-    for run in (one for one in runs if not one.is_guess and one.bases[0] != "base64"):
+    for run in runs:
         for base in run.bases[:2]:
             for part in islice(_parts(run, base), _MOST_STARTS):
                 yield from _begun_in(run, base, part, rows)
@@ -114,21 +113,16 @@ def _begun(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
     word = _WORD.match(first.line, lesson.end()) if lesson else None
     if word is not None and BYTES["hex"][word[1]] is None and first.elements:
         nothing = Near(b"", Run(first.elements[:1]), Part(0, b"\0", [0, 1]), 0, 1)
-        yield nothing.stopped(first.number, word.start(1), not_a_byte(word[1]), first.number)
+        yield nothing.stopped(first.number, word.start(1), slip_in(word[1])[2], first.number)
 
 
 def _begun_in(run: Run, base: str, part: Part, rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes in a part of a run that break off."""
     for start, end in islice(run.between_breaks(part), _MOST_STARTS):
-        end = len(part.data) if run.is_cut(part) else end
         data, (first, _) = part.data[start:end], run.span(part, start, end)
-        is_first = first.line == rows[0].number
-        before = rows[0].line[max(0, first.start - _MOST_BEFORE) : first.start] if is_first else ""
-        is_one = start + 1 == end < len(part.data) and not before.endswith("|")
-        if is_one or _is_digest(part, data):
-            continue
+        before = rows[0].line[max(0, first.start - _MOST_BEFORE) : first.start]
         found = _with_stop(Near(data, run, part, start, end), base, rows)
-        if _is_meant(found, before) and strange_bytes(data) is None:
+        if not _is_digest(part, data) and _is_meant(found, before) and strange_bytes(data) is None:
             yield found
 
 
@@ -138,15 +132,13 @@ def _parts(run: Run, base: str) -> Iterator[Part]:
     yield from found
     begun = {part.last for part in found}
     for place, element in enumerate(run.elements):
-        if place not in begun and len(element.text) >= LEAST and (data := _partial(element)[0]):
+        if place not in begun and (data := _partial(element)[0]):
             yield Part(place, data, [0, len(data)])
 
 
 def _is_meant(found: Near, before: str) -> bool:
     """Returns whether bytes in front of a slip or an end were meant as a frame."""
     is_lesson = before.endswith(("0x|", "0X|"))
-    if is_prose(found.data) and not is_lesson:
-        return False
     first, last = (found.part.first + bisect_left(found.part.offsets, at) for at in (found.start, found.end))
     widths = {*found.run.widths[first:last]}
     is_open = re.search(r"[\[{(]$|<<$", before.rstrip()) is not None
@@ -154,21 +146,15 @@ def _is_meant(found: Near, before: str) -> bool:
     if _is_proved(found, before) or _is_begun(found, is_open, is_counted, is_lesson):
         return True
     is_listed = is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
-    return (
-        found.is_stopped
-        and is_listed
-        and not found.run.is_mixed
-        and is_head(before)
-        and head_of(before).direction is not None
-    )
+    return found.is_stopped and is_listed and is_head(before) and head_of(before).direction is not None
 
 
 def _is_begun(found: Near, is_open: bool, is_counted: bool, is_lesson: bool) -> bool:
     """Returns whether bytes are the start of a frame; numbers of one or three digits may be any."""
     data = found.data
-    is_cut = found.cut and len(data) >= LOOKS and may_start(data)  # the text says itself that more follows
+    is_cut = found.cut and may_start(data)  # the text says itself that more follows
     is_any = is_counted and not (is_cut and is_open) and data[LEAST - 1 :] < b"\x80"
-    is_whole = found.problem is not None and frame_end(data) == len(data)
+    is_whole = frame_end(data) == len(data)
     return len(data) >= (LEAST, 2)[is_lesson] and not is_any and (is_cut or is_whole or may_begin(data))
 
 
@@ -181,10 +167,10 @@ def _is_proved(found: Near, before: str) -> bool:
     rest = found.run.elements[found.part.last :] if found.cut else []
     left_out = _LEFT_OUT.match(rest[0].text) if rest else None
     if left_out is not None:
-        return len(found.data) >= LENGTH_FIELD and frame_size(found.data) == len(found.data) + int(left_out[1])
+        return len(found.data) > 1 and frame_size(found.data) == len(found.data) + int(left_out[1])
     is_array = len(found.data) == _OF_NUMPY == len(rest) - 1
     is_said = _NUMPY.search(before) is not None or head_of(before).direction is not None
-    return is_array and is_said and may_begin(found.data)
+    return is_array and is_said
 
 
 def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
@@ -200,10 +186,10 @@ def _with_stop(found: Near, base: str, rows: Sequence[Row]) -> Near:
     follows = elements[place] if place < len(elements) else last._replace(start=len(line))
     if follows.kind == "cut":
         return _cut(found, last, elements[: place - 1], line)
-    if found.end == len(part.data) and BYTES[base][follows.text] is None:
+    if BYTES[base][follows.text] is None:
         return _at(found._replace(data=found.data + _partial(follows)[0]), follows, top)
     word = _WORD.match(line, last.end)
-    return found if word is None or word.start(1) >= follows.start else _at_word(found, last, word, top)
+    return found if word is None else _at_word(found, last, word, top)
 
 
 def _cut(found: Near, last: TextElement, before: Sequence[TextElement], line: str) -> Near:
@@ -218,7 +204,7 @@ def _at_word(found: Near, last: TextElement, word: re.Match[str], top: int) -> N
     is_slip = len(word[1]) == len(last.text) or word[1][:2] in ("0x", "\\x")
     if not is_slip or BYTES["hex"][word[1]] is not None:
         return found
-    return found.stopped(last.line, word.start(1), not_a_byte(word[1], is_hex=last.kind == "digits"), top)
+    return found.stopped(last.line, word.start(1), slip_in(word[1], is_hex=last.kind == "digits")[2], top)
 
 
 def _at(found: Near, element: TextElement, top: int) -> Near:
@@ -235,12 +221,8 @@ def _partial(element: TextElement) -> tuple[bytes, int, str]:
         body = _ENDLESS.sub("", text.rstrip(". \u2026") if is_cut else text)
         data = string_bytes(body[1 + (body[0] == "b") :]) or b""
         return data, element.start, "" if is_cut else "the string that starts here never ends"
-    if slip := MISSPELT.search(text):
-        at = slip.start("escape")
-        quote = next((place for place, sign in enumerate(text[:at]) if sign in "\"'`"), -1)
-        return string_bytes(text[quote + 1 : at]) or b"", element.start + at, not_a_byte(slip["escape"])
-    is_odd = _is_hex(text) and len(text) > 4 and len(text) % 2 == 1
-    return bytes.fromhex(text[:-1]) if is_odd else b"", element.start, not_a_byte(text)
+    data, at, reason = slip_in(text)
+    return data, element.start + at, reason
 
 
 def spelt(runs: Iterable[Run]) -> str | None:
@@ -262,8 +244,7 @@ def told(row: Row) -> str | None:
 
 def _is_dull(run: Run, part: Part) -> bool:
     """Returns whether bytes are a text, a digest, or too much alike for operations."""
-    is_text = run.elements[0].kind == "string" and max(part.data) <= _MOST_LOW
-    return is_text or (len(run.elements) > 1 and len({*part.data}) < LEAST - 1) or _is_digest(part, part.data)
+    return (len(run.elements) > 1 and len({*part.data}) < LEAST - 1) or _is_digest(part, part.data)
 
 
 def _is_data(row: Row, run: Run, data: bytes) -> bool:
@@ -283,25 +264,6 @@ def _is_data(row: Row, run: Run, data: bytes) -> bool:
 
 def _texts(run: Run) -> Iterator[str]:
     return (one.text for one in run.elements)
-
-
-def not_a_byte(word: str, *, is_hex: bool = True) -> str:
-    """Returns what is wrong with an element, as a sentence."""
-    digits = word.removeprefix("0x").removeprefix("0X")
-    has_digits = not digits.strip("0123456789abcdefABCDEF")
-    if slip := MISSPELT.search(word):
-        return f"{slip['escape']!r} is not an escape: two hex digits follow \\x"
-    if (word.isdecimal() and len(word) == 3) or (has_digits and digits != word):
-        return f"{short(word)!r} is more than 255, which a byte cannot be"
-    if has_digits and len(digits) % 2:
-        return f"{short(word)!r} has an odd number of hex digits ({len(digits)}); two make a byte"
-    meant = digits.translate(LOOKALIKES)
-    help_text = f"; did you mean {word[: -len(digits)] + meant!r}?" if _is_hex(meant) and meant != digits else ""
-    return f"{short(word)!r} is not {'hex' if is_hex else 'a number'}{help_text}"
-
-
-def _is_hex(text: str) -> bool:
-    return bool(text) and not text.strip("0123456789abcdefABCDEF")
 
 
 # Bytes that are known to be meant as such

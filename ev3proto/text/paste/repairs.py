@@ -16,7 +16,7 @@ from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, frame_size
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.tables.frame import MESSAGE_TYPES, MessageType
-from ev3proto.text.paste.elements import narrow
+from ev3proto.text.paste.elements import MISSPELT, elements_of, narrow, string_bytes
 from ev3proto.text.paste.heads import is_head
 from ev3proto.text.paste.judge import Reading, best
 from ev3proto.text.paste.pieces import MAX_TEXT, SlipPlace, short
@@ -31,7 +31,8 @@ _SPREAD = re.compile(r"(?<![\w.-])(?:ff([89a-f]\w)|(65[45]\d\d|4294967[12]\d\d)|
 _HEX_WORD = re.compile(r"(?<!\w)(?:0[xX])?([0-9a-fA-F]{9,})(?!\w)")
 LOOKALIKES = str.maketrans("OolIiSZАВСЕасеОоХхЗбΑΒΕΟΧ", "0011152ABCEace00Xx36ABE0X")
 """Letters that are read for digits in scanned pictures, or were typed on a Russian or Greek keyboard."""
-_MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{''.join(map(chr, LOOKALIKES))}]+(?![^\W_])")
+_ALIKE = "".join(map(chr, LOOKALIKES))
+_MISREAD = re.compile(rf"(?<![^\W_])(?=\w*[0-9])[0-9a-fA-FxX{_ALIKE}]+(?![^\W_])")
 _DIGIT = re.compile(r"[0-9\uff10-\uff19]{2}")
 _SUSPECT = re.compile(r"\\[0-9A-F]{2}|(?:ffffff|FFFFFF)[89a-fA-F]")
 _LABVIEW = {"n": "0A", "r": "0D", "t": "09", "b": "08", "f": "0C", "s": "20", "\\": "5C"}
@@ -72,8 +73,8 @@ def _signed(line: str) -> Iterator[str]:
 def _marked(mark: re.Pattern[str], line: str) -> Iterator[str]:
     """Yields the bytes of what has some of them between marks, as digits, and all others as characters."""
     found = next((one for one in mark.finditer(line) if len(one[1]) == 2), None)
-    if found is not None:
-        before, text = line[: found.start()], line[found.start() :]
+    before, text = ("", "") if found is None else (line[: found.start()], line[found.start() :])
+    if text and not elements_of(before)[0]:
         text = text.partition(before[-1])[0] if before[-1:] in ("'", '"') else text
         codes = mark.sub(lambda one: rf"\x{_LABVIEW.get(one[1], one[1])}", text)
         yield f'{before}"{codes}"'
@@ -144,6 +145,44 @@ REPAIRS = (
         is_read=False,
     ),
 )
+
+
+class Slip(NamedTuple):
+    """What is wrong with an element without bytes: an example, a pattern, what to say; `front` is what has bytes."""
+
+    example: str
+    pattern: re.Pattern[str]
+    says: str
+    bytes_of: Callable[[str], bytes | None] = bytes.fromhex
+
+
+_H = "[0-9a-fA-F]"
+SLIPS = (
+    Slip(r"\xof", MISSPELT, "{word!r} is not an escape: two hex digits follow \\x", string_bytes),
+    Slip("0x1ff", re.compile(rf"^(?P<word>\d{{3}}|0[xX]{_H}+)$"), "{word!r} is more than 255, which a byte cannot be"),
+    Slip(
+        "0f0",
+        re.compile(rf"^(?P<word>(?P<front>(?:{_H}{{2}}){{2,}})?(?:{_H}{{2}})?{_H})$"),
+        "{word!r} has an odd number of hex digits ({count}); two make a byte",
+    ),
+    Slip(
+        "8O",
+        re.compile(rf"^(?P<word>(?=.*[{_ALIKE}])(?:0[xX])?[0-9a-fA-F{_ALIKE}]+)$"),
+        "{word!r} is not {kind}; did you mean {meant!r}?",
+    ),
+    Slip("zz", re.compile("(?P<word>.+)", re.DOTALL), "{word!r} is not {kind}"),
+)
+"""The first row that fits counts."""
+
+
+def slip_in(text: str, *, is_hex: bool = True) -> tuple[bytes, int, str]:
+    """Returns the bytes in front of a slip in an element that has none, where it is, and what it is, as a sentence."""
+    row, found = next((row, found) for row in SLIPS if (found := row.pattern.search(text)))
+    word, kind = found["word"], "hex" if is_hex else "a number"
+    said = row.says.format(word=short(word), count=len(word), meant=word.translate(LOOKALIKES), kind=kind)
+    before = text[: found.start("word")]
+    front = found.groupdict().get("front") or re.sub("^[^\"'`]*[\"'`]", "", before)
+    return row.bytes_of(front) or b"", len(before), said
 
 
 def may_be_mended(line: str) -> bool:

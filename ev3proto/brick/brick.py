@@ -494,20 +494,23 @@ class Brick:
         """Gives every program its turns of a tick, in equal shares; with `always`, at least a few operations."""
         running = [program for program in self.machine.slots if program is not None and program.slot != CMD_SLOT]
         for number, program in enumerate(running):
-            left, waiting = program.due or OPERATIONS_PER_TICK, 0
-            program.due, begin = 0, left
             deadline = math.inf
             if self._deadline < math.inf:
                 now = thread_time()
                 deadline = now + (self._deadline - now) / (len(running) - number)
-            # When all objects in turn have waited, nothing more can happen before the next tick.
-            while left > 0 and program.status == RUNNING and waiting <= len(program.objects):
-                if deadline < math.inf and not (always and left == begin) and thread_time() > deadline:
-                    program.due = left
-                    break
-                executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN), deadline)
-                left -= max(executed, 1)
-                waiting = waiting + 1 if is_waiting else 0
+            self._turn_program(program, deadline, always=always)
+
+    def _turn_program(self, program: Program, deadline: float, *, always: bool) -> None:
+        left, waiting = program.due or OPERATIONS_PER_TICK, 0
+        program.due, begin = 0, left
+        # When all objects in turn have waited, nothing more can happen before the next tick.
+        while left > 0 and program.status == RUNNING and waiting <= len(program.objects):
+            if deadline < math.inf and not (always and left == begin) and thread_time() > deadline:
+                program.due = left
+                break
+            executed, is_waiting = self.machine.turn(program, min(left, OPERATIONS_PER_TURN), deadline)
+            left -= max(executed, 1)
+            waiting = waiting + 1 if is_waiting else 0
 
 
 @dataclass

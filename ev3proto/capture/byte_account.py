@@ -76,6 +76,15 @@ class Account:
             said += f"; of {counted(self.cut, 'packet')} only the first bytes were captured (snap length)"
         return said
 
+    def count_packet(self, time_ns: int, captured: int, size: int) -> None:
+        """Counts a packet, of whose bytes a number was captured."""
+        if self.first_ns is None:
+            self.first_ns = time_ns
+        self.last_ns = time_ns
+        self.packets += 1
+        self.captured += captured
+        self.cut += captured < size
+
     def count_strange(self, place: str, count: int = 1) -> None:
         """Counts packets that were not recognised, by their place; a negative number for those that are now."""
         self.strange[place] = self.strange.get(place, 0) + count

@@ -40,11 +40,8 @@ def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterat
     """
     waiting: Bounded[int, Record] = Bounded(MOST_PENDING)
     for event in events:
-        while patience_ns is not None and waiting:
-            oldest = next(iter(waiting.values()))
-            if event.time_ns - oldest.time_ns < patience_ns:
-                break
-            yield RequestReply(waiting.pop_oldest(), None)
+        if patience_ns is not None:
+            yield from _given_up(waiting, event.time_ns - patience_ns)
         if not isinstance(event, Record):
             continue
         if event.request is not None:
@@ -60,3 +57,9 @@ def dialogues(events: Iterable[Event], patience_ns: int | None = None) -> Iterat
                 yield RequestReply(dropped, None)
     for command in waiting.values():
         yield RequestReply(command, None)
+
+
+def _given_up(waiting: Bounded[int, Record], last_ns: int) -> Iterator[RequestReply]:
+    """Yields the commands that have waited for their replies since a time, or for longer."""
+    while waiting and next(iter(waiting.values())).time_ns <= last_ns:
+        yield RequestReply(waiting.pop_oldest(), None)

@@ -107,9 +107,14 @@ def proves(reply: bytes, command: bytes) -> bool:
         return False
     if answer.carries == "system":
         return reply[HEADER_SIZE : HEADER_SIZE + 1] == command[HEADER_SIZE : HEADER_SIZE + 1] != b"\0"
+    memory = size + LENGTH_FIELD - HEADER_SIZE
+    return answer.carries == "direct" and _has_requested(memory, command, is_error=answer.is_error)
+
+
+def _has_requested(memory: int, command: bytes, *, is_error: bool) -> bool:
+    """Returns whether a reply with a number of bytes of memory is one to a direct command that is not zeros."""
     operations = command[COMMAND_HEADER_SIZE:]
     if operations and not any(operations):
         return False
-    memory = size + LENGTH_FIELD - HEADER_SIZE
     is_requested = len(command) >= COMMAND_HEADER_SIZE and memory == read_memory(command)[0]
-    return answer.carries == "direct" and (is_requested or (answer.is_error and not memory))
+    return is_requested or (is_error and not memory)

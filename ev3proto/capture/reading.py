@@ -147,18 +147,11 @@ def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
     trouble: CaptureError | None = None
     try:
         for packet in packets:
-            _, time_ns, data, size, interface, _ = packet
-            captured = len(data)
-            if account.first_ns is None:
-                account.first_ns = time_ns
-            account.last_ns = time_ns
-            account.packets += 1
-            account.captured += captured
-            if captured < size:
-                account.cut += 1
-            carrier = _CARRIERS.get(interface.link)
+            captured = len(packet.data)
+            account.count_packet(packet.time_ns, captured, packet.size)
+            carrier = _CARRIERS.get(packet.interface.link)
             if carrier is None:
-                unknown.add(interface.link)
+                unknown.add(packet.interface.link)
                 account.other += captured
                 continue
             if carrier not in readers:

@@ -59,14 +59,19 @@ class Clock:
             now_ns = self._begin_ns or 0 if last_ns is None else last_ns + STEP_NS
         else:
             now_ns, has_date = found
-            if self._begin_ns is None and not has_date:
-                self._begin_ns = -now_ns
-            now_ns += 0 if has_date else (self._begin_ns or 0) + self._days_ns
-            if last_ns is not None and not has_date and last_ns - now_ns > _DAY_NS // 2:
-                self._days_ns += _DAY_NS
-                now_ns += _DAY_NS
+            now_ns = now_ns if has_date else self._on_its_day(now_ns)
         self._last_ns = now_ns if last_ns is None else max(now_ns, last_ns)
         return self._last_ns
+
+    def _on_its_day(self, clock_ns: int) -> int:
+        """Returns a time without a date, given the nanoseconds of its day."""
+        if self._begin_ns is None:
+            self._begin_ns = -clock_ns
+        now_ns = clock_ns + self._begin_ns + self._days_ns
+        if self._last_ns is not None and self._last_ns - now_ns > _DAY_NS // 2:
+            self._days_ns += _DAY_NS
+            now_ns += _DAY_NS
+        return now_ns
 
 
 def _nanoseconds(text: str) -> tuple[int, bool] | None:
@@ -136,11 +141,8 @@ class TextLog:
 
     def _time(self, time: str | None, size: int) -> int:
         """Counts a piece of the text, and returns its time."""
-        account, time_ns = self.account, self._clock.at(time)
-        account.packets += 1
-        account.captured += size
-        account.first_ns = time_ns if account.first_ns is None else account.first_ns
-        account.last_ns = time_ns
+        time_ns = self._clock.at(time)
+        self.account.count_packet(time_ns, size, size)
         return time_ns
 
     def _record(self, message: Message, written: Written, number: int, time_ns: int, label: str = "") -> Record:

@@ -152,7 +152,7 @@ def brick(
     options = Options(port=port if wifi else None, script=read_script_file(script), core_set=not bare, **same)
     if (errors_only or as_json) and not options.report:
         raise click.UsageError("--errors-only and --json need --report")
-    if options.port is None and options.serial is None and options.page is None:
+    if {options.port, options.serial, options.page} == {None}:
         raise click.UsageError("--no-wifi needs --serial or --http; otherwise no client can reach the brick")
     if not quiet:
         if options.has_core_set:

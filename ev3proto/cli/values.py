@@ -18,6 +18,7 @@ from ev3proto.cli.reading import Problems, captures_of, reading_options, title_o
 from ev3proto.cli.tables import Tables
 from ev3proto.errors import counted
 from ev3proto.reading.options import Options
+from ev3proto.reading.parts import Reading
 from ev3proto.text.spans import visible
 
 MOST_SHOWN = 50
@@ -68,17 +69,22 @@ def values(files: tuple[str, ...], reading: Options, as_csv: bool, as_json: bool
         problems.end_without(f"{captures.label}: no reply with its command found{captures.passed_over}")
     if found.unsure:
         complain(f"{counted(found.unsure, 'row')} may answer another command: several with its counter waited")
+    form = "csv" if as_csv else "json" if as_json else ""
+    _show(_narrowed(found, form), form, plot, captures)
+    sys.exit(problems.status)
+
+
+def _show(found: Series, form: str, plot: Path | None, captures: Reading) -> None:
     start = captures.account.first_ns or 0
-    found = _narrowed(found, "csv" if as_csv else "json" if as_json else "")
     if plot is not None:
         _draw(found, plot, title_of(captures), start)
-    elif as_csv:
+    elif form == "csv":
         _print_csv(found)
-    elif as_json:
-        _print_json(found)
+    elif form == "json":
+        for record in _records(found):
+            say_json(record)
     else:
         _print_table(found, captures.unit, start)
-    sys.exit(problems.status)
 
 
 def _narrowed(found: Series, form: str) -> Series:
@@ -138,11 +144,6 @@ def _print_csv(found: Series) -> None:
         if number == 0:
             say(csv_line([*record, *_titles(found)]))
         say(csv_line([*record.values(), *map(cells.get, found.units)]))
-
-
-def _print_json(found: Series) -> None:
-    for record in _records(found):
-        say_json(record)
 
 
 def _records(found: Series) -> Iterator[dict[str, Any]]:

@@ -358,6 +358,11 @@ class Host:
                 break
             if brick.is_computing or self._loop.time() > until:
                 break
+        self._watch()
+
+    def _watch(self) -> None:
+        """Ends a command that keeps another client waiting, and says what has happened to the brick."""
+        brick = self.brick
         if self._current is not None and brick.is_busy:
             connection, begin = self._current
             if brick.waits_for:

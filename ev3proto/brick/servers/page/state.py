@@ -158,19 +158,27 @@ def _act(brick: Brick, action: Any) -> dict[str, Any] | None:
         case {"do": "plug", "port": int() | str() as port, "type": int(number)}:
             brick.plug(port, number)
         case {"do": "read", "port": int(port), "mode": int(mode), "values": list(values)}:
-            device = brick.equipment.inputs.plugged().get(port)
-            if device is not None:
-                brick.plug(port, device.type.number, {mode: _numbers(values, device.type.modes[mode].datasets)})
+            _set_readings(brick, port, mode, values)
         case {"do": "list", "path": str(path)}:
             return {"folder": _listing(brick, path)}
         case {"do": "fetch", "path": str(path)}:
-            found = brick.equipment.files.read(_path(path))
-            if found is None:
-                raise ValueError(f"no such file: {path}")
-            return {"file": {"path": path, "contents": base64.b64encode(found).decode()}}
+            return {"file": _contents(brick, path)}
         case _:
             raise ValueError("unknown action")
     return None
+
+
+def _set_readings(brick: Brick, port: int, mode: int, values: list[Any]) -> None:
+    device = brick.equipment.inputs.plugged().get(port)
+    if device is not None:
+        brick.plug(port, device.type.number, {mode: _numbers(values, device.type.modes[mode].datasets)})
+
+
+def _contents(brick: Brick, path: str) -> dict[str, Any]:
+    found = brick.equipment.files.read(_path(path))
+    if found is None:
+        raise ValueError(f"no such file: {path}")
+    return {"path": path, "contents": base64.b64encode(found).decode()}
 
 
 def _listing(brick: Brick, path: str) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 import { put } from "./editor.js";
 import { copy, find, inside, remember, remembered } from "./elements.js";
-import { derived } from "./notations.js";
 import { home } from "./reading.js";
 
 const CHOSEN = "notation";
@@ -28,7 +27,7 @@ let chosen = "lesson";
 export const showMade = (answer, make) => {
   ask = make;
   if (made.lesson === answer.made.lesson && Object.keys(answer.made).every((form) => made[form] !== undefined)) return;
-  made = { ...answer.made, ...derived(answer.made.lesson) };
+  made = { ...answer.made };
   find("make").hidden = !answer.made.lesson;
   for (const tab of Object.keys(PANELS)) showIn(tab);
   choose(chosen);

@@ -8,7 +8,7 @@ import { state } from "./state.js";
 
 const input = find("input", HTMLTextAreaElement), behind = find("paint");
 /** Between two bytes in hex. */
-const GAP = String.raw`(?:[\s,:;|.'"{}()[\]-]|0x|\\x)*`;
+const GAP = String.raw`(?:0x|\\x|\W)*`;
 
 /** Characters of a text in which bytes are looked for; a longer one has no colours. */
 const MOST_TEXT = 20_000;

@@ -1,4 +1,4 @@
-// What the playground's modules do without a browser: addresses, notations, places, the dump's colours, buttons' texts.
+// What the playground's modules do without a browser: addresses, places, the dump's colours, buttons' texts.
 
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -9,7 +9,6 @@ globalThis.location = new URL("https://example.org/playground/index.html");
 const module = (name) => import(pathToFileURL(`${process.env.PLAYGROUND}/${name}`).href);
 
 const { fragmentOf, linkTo, textOf, MOST_TEXT } = await module("address.js");
-const { derived } = await module("notations.js");
 const { overlap, partOf, rowAt, rowsByFrame, targetOf } = await module("places.js");
 const { buttonTexts, change, state } = await module("state.js");
 
@@ -36,18 +35,6 @@ test("a fragment without a text is none, a damaged one a sentence", async () => 
   assert.equal(await textOf("#text=100%"), "100%");
   await assert.rejects(textOf("#z=____"), /The link is damaged/);
   await assert.rejects(textOf("#z=*"), /The link is damaged/);
-});
-
-test("frames in hex and JavaScript, and what is not a frame between them", () => {
-  assert.deepEqual(derived("0x|08:00|2A:00|00|04:00|81:01:60|"), {
-    hex: "08 00 2A 00 00 04 00 81 01 60",
-    javascript: "const frame = new Uint8Array([0x08, 0x00, 0x2a, 0x00, 0x00, 0x04, 0x00, 0x81, 0x01, 0x60]);",
-  });
-  assert.deepEqual(derived("0x|03:00|\n0x|05:00|\n... and 2 more"), {
-    hex: "03 00\n05 00\n... and 2 more",
-    javascript: "const frame1 = new Uint8Array([0x03, 0x00]);\nconst frame2 = new Uint8Array([0x05, 0x00]);\n/* ... and 2 more */",
-  });
-  assert.deepEqual(derived(""), { hex: "", javascript: "" });
 });
 
 /** A heading over 16 bytes, an operation, two arguments, a line about nothing, another frame. */

@@ -283,3 +283,17 @@ def test_a_file_and_a_filter() -> None:
         while "part" in step:
             step = json.loads(bridge.go_on(number))
         assert step["answer"]["headline"]["sentence"] == sentence
+
+
+def test_frames_in_the_notations_of_other_programs() -> None:
+    made = read(BATTERY)["made"]
+    assert (made["lesson"], made["hex"]) == (BATTERY, "08 00 2A 00 00 04 00 81 01 60")
+    assert made["javascript"] == (
+        "const frame = new Uint8Array([0x08, 0x00, 0x2a, 0x00, 0x00, 0x04, 0x00, 0x81, 0x01, 0x60]);"
+    )
+    assert "const unsigned char frame[10] = {" in made["c"]
+    assert made["python"].endswith("frame = b'\\x08\\x00*\\x00\\x00\\x04\\x00\\x81\\x01`'")
+    assert made["operations"].endswith("\nUI_READ(GET_VBATT,GV0(0))")
+    both = read(f"{BATTERY}\n{TONE}\n")["made"]
+    assert both["hex"].split("\n")[1] == "0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03"
+    assert both["javascript"].split("\n")[1].startswith("const frame_2 = new Uint8Array([0x0e, 0x00,")

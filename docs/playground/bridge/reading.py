@@ -27,7 +27,7 @@ from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
-from ev3proto.text.phrases import LEGO
+from ev3proto.text.phrases import LEGO, spaced_hex
 from ev3proto.text.spans import visible
 
 from .findings import Findings
@@ -65,6 +65,10 @@ FIRST = 0.3
 LESSON = "lesson"
 FORMS: dict[str, Callable[[Message, str], str]] = {
     LESSON: lambda message, _: as_hex(message),
+    "hex": lambda message, _: spaced_hex(message.build()),
+    "javascript": lambda message, name: (
+        f"const {name} = new Uint8Array([{', '.join(f'0x{byte:02x}' for byte in message.build())}]);"
+    ),
     "c": as_c,
     "python": as_python,
     "operations": lambda message, _: "\n".join(list(assembly(Exchange(message), "", LEGO))[1:]),
@@ -357,7 +361,8 @@ class Input:
         found: list[str] = []
         size = 0
         for number, frame in enumerate(self._frames, 1):
-            found.append(FORMS[form](parse(frame, strict=False), f"frame_{number}"))
+            name = f"frame_{number}" if self._pages.frames > 1 else "frame"
+            found.append(FORMS[form](parse(frame, strict=False), name))
             size += len(found[-1]) + 1
             if size > MOST_SHOWN:
                 break

@@ -7,7 +7,8 @@ or without it. service-worker.js keeps the files that `build` names.
 state.js has what the page knows, from which its texts follow; each other script has one concern. The brick is shown
 by ev3proto/brick/servers/page/static/brick.js, as on the page of `brick --http`. The workers run Python, the
 package `bridge`: `reading` and `findings` read an input once, step by step; `pages` makes lines of its frames when
-their page is opened; `real_brick` is the session with a real brick, whose bytes carriers.js moves.
+their page is opened; `headline` words what comes first, and `proposals` finds what was meant. `real_brick` is the
+session with a real brick, on a `connection` whose bytes carriers.js moves.
 
 The scripts are linted, and their types in JSDoc checked. tests/browsers tries the page in Firefox and WebKit, too.
 """

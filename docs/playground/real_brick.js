@@ -121,7 +121,7 @@ export const realBrick = (python) => {
       for (const id of ["comparison", "results", "differences"]) find(id).hidden = true;
       talks.clear();
       showAnswer([]);
-      await python().ask("connect", wire.kind, wire.label);
+      await python().ask("connect", wire.kind);
       showState();
       find("recorded").hidden = false;
       connected = `Connected by ${wire.kind === "usb" ? "USB" : "Bluetooth"} to ${wire.label}. What you send goes to it.`;

@@ -497,7 +497,7 @@ def test_a_device_is_known_everywhere(copy: Path, tmp_path: Path) -> None:
     assert "weather station, mode 0 of type 40" in _run(copy, "help", "WEATHER")
     assert "type 40" in _run(copy, "ops", "weather", "station")
     panel = (
-        "import sys; sys.path.append('docs/playground'); from bridge.real_brick import shown; print(shown(40, 0, 1013))"
+        "import sys; sys.path.append('docs/playground'); from bridge.watching import shown; print(shown(40, 0, 1013))"
     )
     assert run_in(copy, "-c", panel) == "('weather station', '1013.0 hPa')\n"
     capture = tmp_path / "weather.pcapng"

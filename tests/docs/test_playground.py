@@ -1174,9 +1174,7 @@ def test_its_python_runs_here_too() -> None:
 
 def test_each_type_of_a_device_on_a_real_brick_is_shown() -> None:
     """Also those that no device has, and those that no table has."""
-    script = (
-        "import json; from bridge.real_brick import shown; print(json.dumps([shown(n, 0, 1.5) for n in range(256)]))"
-    )
+    script = "import json; from bridge.watching import shown; print(json.dumps([shown(n, 0, 1.5) for n in range(256)]))"
     found = json.loads(_bridge(script))
     assert found[7] == ["large motor", "2 degrees"]
     assert found[17] == ["unused type 17", "2"]

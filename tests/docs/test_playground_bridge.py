@@ -11,10 +11,13 @@ from typing import Any
 
 import pytest
 from playground import bridge
+from playground.bridge.connection import PATIENCE
+from playground.bridge.real_brick import RealBrick
 from support.effort import effort
 from support.frames import drawn
 from support.scripts import PLAYGROUND
 
+from ev3proto.brick import Brick
 from ev3proto.testing import frames, mutated_frames
 
 ROOT = Path(__file__).parents[2]
@@ -297,3 +300,41 @@ def test_frames_in_the_notations_of_other_programs() -> None:
     both = read(f"{BATTERY}\n{TONE}\n")["made"]
     assert both["hex"].split("\n")[1] == "0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03"
     assert both["javascript"].split("\n")[1].startswith("const frame_2 = new Uint8Array([0x0e, 0x00,")
+
+
+# A real brick
+
+
+def test_a_session_with_a_brick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands wait for the answers of those before them; an answer may come late, or unasked, or not at all."""
+    battery = bytes.fromhex("08002a00000400810160")
+    now = 1000.0
+    carried: list[str] = []
+    news: list[dict[str, Any]] = []
+    monkeypatch.setattr("time.monotonic", lambda: now)
+    real = RealBrick("bluetooth", carried.append, lambda said: news.append(json.loads(said)))
+    brick = Brick(tmp_path)
+
+    def shown() -> list[str]:
+        return ["".join(piece[0] for piece in line) for answer in news[-1]["answers"] for line in answer]
+
+    assert real.send([battery, battery], is_allowed=False) == {}
+    assert carried == [battery.hex()]
+    real.connection.sent(10.0)
+    (reply,) = brick.receive(battery)
+    real.connection.heard(reply, 12.5)
+    assert carried == [battery.hex()] * 2
+    assert shown()[1] == "answered after 2.5 ms:"
+    now += PATIENCE + 1
+    real.turn()
+    assert shown()[-1] == "no answer within 5 s; a late one is shown when it comes"
+    real.connection.heard(reply, 7000.0)
+    assert "answered late, after 7000.0 ms:" in shown()
+    # What moves is asked about first, and motors stop without a question.
+    start = bytes.fromhex("08002c00800000a60001")
+    assert list(real.send([start], is_allowed=False)) == ["ask"]
+    real.stop_motors()
+    assert carried[-1][8:] == "800000a3000f01"
+    real.gone("unplugged")
+    assert not real.connection.is_open
+    assert real.connection.recording().startswith(b"\x0a\x0d\x0d\x0a")

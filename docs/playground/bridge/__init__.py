@@ -242,32 +242,32 @@ def play(sent: str) -> str:
 _real: RealBrick | None = None
 
 
-def connect(carrier: str, label: str, carry: Callable[[str], object], tell: Callable[[str], object]) -> str:
+def connect(carrier: str, carry: Callable[[str], object], tell: Callable[[str], object]) -> str:
     """Begins a session: see `RealBrick`."""
     global _real
     from .real_brick import RealBrick  # takes 60 ms, which only a real brick needs
 
-    _real = RealBrick(carrier, label, carry, tell)
+    _real = RealBrick(carrier, carry, tell)
     return "null"
 
 
 def sent(at: float) -> str:
     """Takes the time at which a frame was carried."""
     if _real is not None:
-        _real.sent(at)
+        _real.connection.sent(at)
     return "null"
 
 
 def heard(data: Any, at: float) -> str:
     """Takes bytes from the brick, and when they came."""
     if _real is not None:
-        _real.heard(_bytes(data), at)
+        _real.connection.heard(_bytes(data), at)
     return "null"
 
 
 def turn() -> None:
     """Lets time pass for the session."""
-    if _real is not None and _real.is_open:
+    if _real is not None and _real.connection.is_open:
         _real.turn()
 
 
@@ -297,13 +297,14 @@ def talk(given: str, is_allowed: bool) -> str:
 def watch(is_wanted: bool) -> str:
     """Begins or ends asking for battery and ports every second."""
     assert _real is not None
-    _real.watch(is_wanted)
+    _real.watch.want(is_wanted)
+    _real.turn()
     return "null"
 
 
 def stop_motors() -> str:
     """Stops all motors without a question: of the real brick if one is connected, else of the virtual one."""
-    if _real is not None and _real.is_open:
+    if _real is not None and _real.connection.is_open:
         _real.stop_motors()
         return "null"
     _virtual().stop()
@@ -327,7 +328,7 @@ def panel(action: str, text: str, is_allowed: bool) -> str:
 
 def record() -> str:
     """Returns what was said to and by the brick, as pcapng in base64; empty without a session."""
-    return json.dumps("" if _real is None else base64.b64encode(_real.recording()).decode())
+    return json.dumps("" if _real is None else base64.b64encode(_real.connection.recording()).decode())
 
 
 def compare(capture: Any, computes: bool) -> str:

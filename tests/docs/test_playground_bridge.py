@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -272,6 +273,14 @@ def test_what_is_wrong_is_said_once() -> None:
         assert [block["codes"] for block in answer["findings"]] == ([["E102"]] if "0F" in text else [])
 
 
+@pytest.fixture
+def folder() -> Iterator[None]:
+    """The folder of the file that is opened, which is gone afterwards."""
+    yield
+    bridge.begin()
+
+
+@pytest.mark.usefixtures("folder")
 def test_a_file_and_a_filter() -> None:
     captures = ROOT / "captures"
     for name, expression, sentence in (

@@ -70,7 +70,7 @@ _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 
 _STOP = "OUTPUT_STOP(0, A+B+C+D, 1)"
 
-_folder = TemporaryDirectory()
+_folder: TemporaryDirectory[str] | None = None
 _brick: VirtualBrick | None = None
 
 
@@ -78,7 +78,9 @@ def begin() -> None:
     """Begins anew: in a Python that comes from a snapshot, files are gone, and random numbers would repeat."""
     global _folder, _brick
     random.seed()
-    _folder, _brick = TemporaryDirectory(), None
+    if _folder is not None:
+        _folder.cleanup()
+    _folder = _brick = None
 
 
 # The input
@@ -132,12 +134,15 @@ def _look(text: str, expression: str = "") -> Steps:
 
 def place(name: str) -> str:
     """Returns the path at which a file with this name is to be written, to be opened. There is no other one then."""
-    for old in Path(_folder.name).iterdir():
+    path = _path(name)
+    for old in path.parent.iterdir():
         old.unlink()
-    return json.dumps(str(_path(name)))
+    return json.dumps(str(path))
 
 
 def _path(name: str) -> Path:
+    global _folder
+    _folder = _folder or TemporaryDirectory()
     is_plain = _FILE_NAME.fullmatch(name) is not None
     return Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
 

@@ -1159,7 +1159,8 @@ RAW_PERCENT = _code(
     "a power or a speed that looks like a raw number",
     """
     A byte from 20 to 3F is a number from -32 to -1, so a raw 50 (32 in hex) drives backward with 14 %. Numbers from 32
-    on need an identification byte: 50 is written 81 32. Only `check` of a single frame says so.
+    on need an identification byte: 50 is written 81 32. No byte is a round number both ways: -10 is 36, a raw 54. Only
+    `check` of a single frame says so.
     """,
     _sized("2A:00|80|00:00|A5:00:01:32:A6:00:01"),
     _sized("2A:00|80|00:00|A5:00:01:81:32:A6:00:01"),

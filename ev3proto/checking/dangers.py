@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, SystemCommand
@@ -40,20 +42,24 @@ DANGERS = (
 )
 
 
-def dangers_of(frame: bytes, dialect: str) -> frozenset[Danger]:
-    """Returns what the operations of a frame would do, as far as they can be read, or its system command."""
+def dangers_of(frame: bytes, dialect: str) -> Counter[Danger]:
+    """Returns what the operations of a frame would do, as far as they can be read, or its system command.
+
+    How often counts where one more would be worse, not for motors that turn anyway.
+    """
     if len(frame) < HEADER_SIZE:
-        return frozenset()
+        return Counter()
     message = read_last(with_length(frame[LENGTH_FIELD:]), dialect)
-    effects = set[Effect]()
+    acts: list[tuple[Effect, ...]] = []
     if isinstance(message, DirectCommand):
-        effects = effects.union(*[one.declaration.effects for one in message.operations])
+        acts = [one.declaration.effects for one in message.operations if one.declaration.effects]
     elif isinstance(message, SystemCommand) and message.number in SYSTEM_BY_NUMBER:
-        effects = {*SYSTEM_BY_NUMBER[message.number].effects}
-    return frozenset(one for one in DANGERS if not one.effects.isdisjoint(effects))
+        acts = [SYSTEM_BY_NUMBER[message.number].effects]
+    found = Counter(one for effects in acts for one in DANGERS if not one.effects.isdisjoint(effects))
+    return Counter({one: 1 if one.is_told else count for one, count in found.items()})
 
 
-def warning(dangers: frozenset[Danger]) -> str:
+def warning(dangers: Iterable[Danger]) -> str:
     """Returns half a sentence about dangers, empty if there are none."""
-    words = [one.words for one in DANGERS if one in dangers]
+    words = [one.words for one in DANGERS if one in set(dangers)]
     return f"this would {', and '.join(words)}" if words else ""

@@ -41,16 +41,22 @@ def findings(operations: str, memory: str = "00 00", kind: str = "80", *, alone:
             "50 is written 81 32",
         ),
         (
-            "A4 00 01 3F A6 00 01",
+            "A4 00 01 28 A6 00 01",
             "H708",
-            "POWER is -1 %, backward: that is what 3F by itself means",
-            "63 is written 81 3F",
+            "POWER is -24 %, backward: that is what 28 by itself means",
+            "40 is written 81 28",
         ),
     ],
 )
 def test_a_hint(operations: str, code: str, message: str, help_: str) -> None:
     assert [(each.code, each.message, each.help) for each in findings(operations)] == [(code, message, help_)]
     assert findings(operations, alone=False) == []
+
+
+@pytest.mark.parametrize("speed", ["3B", "36", "81 9C"])
+def test_a_round_speed_backward_is_meant(speed: str) -> None:
+    """-5, -10 and -100."""
+    assert findings(f"A5 00 01 {speed} A6 00 01") == []
 
 
 def test_sensor_ports_are_counted_from_0() -> None:

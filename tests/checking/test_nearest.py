@@ -318,11 +318,15 @@ def test_the_digits_of_a_frame_are_fixed_to_the_frame() -> None:
         "0700 0100 80 F200 01 01",  # erases the firmware, if its type were another
         "0700 0100 00 9300 01 01",
         "0800 0100 00 F204 81 01 60",
+        "0C00 0100 00 0008 02 03 04 64 3D 00 01",  # stops a program, and would start one, too
+        "0900 0100 00 0008 C0 02 02 03",  # FILE.OPEN_LOG, and would write
     ],
 )
 def test_no_danger_is_suggested_for_a_frame_that_the_brick_accepts(text: str) -> None:
     report = check(bytes.fromhex(text), alone=True)
     assert not report.accepted or not [one for one in report.nearest if one.harm]
+    before = bytes.fromhex(text)
+    assert not [one for one in report.nearest if dangers_of(one.frame, "official") - dangers_of(before, "official")]
 
 
 @many

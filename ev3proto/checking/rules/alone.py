@@ -26,28 +26,39 @@ def check_alone(context: CheckContext) -> Iterator[Finding]:
         if operation.has(Effect.AWAITS_START) and not is_started:
             yield operation.finding(codes.NOT_STARTED)
         for argument in operation.arguments:
-            yield from _port(operation, argument)
+            number, rule = whole_number(argument), _OF_ROLES.get(argument.parameter.role)
+            if number is not None and rule is not None:
+                yield from rule(operation, argument, number)
 
 
-def _port(operation: CheckedOperation, argument: Argument) -> Iterator[Finding]:
-    """Yields a hint about the number of a port that may be meant as a bit mask, and about a mask of no port."""
-    role, number = argument.parameter.role, whole_number(argument)
-    if role is Role.MOTORS and number == 0:
+def _mask(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:
+    if number == 0:
         masks = ", ".join(f"{1 << port} for {letter}" for port, letter in MOTOR_LETTERS.items())
         ports = f"{masks}, or the sum of several"
         yield operation.finding_of(codes.WRONG_KIND_OF_PORT, argument, codes.NO_PORTS, ports=ports)
-    elif role is Role.PORT and number == len(SensorPort):
-        yield operation.finding_of(codes.PORT_OF_NEXT_BRICK, argument, number=number, before=number - 1)
-    elif role is Role.DRIVE and number is not None and argument.length == 1 and number < 0:
-        byte = f"{0x40 + number:02X}"
-        yield operation.finding_of(codes.RAW_PERCENT, argument, number=number, byte=byte, meant=0x40 + number)
-    elif (
-        role is Role.MOTOR
-        and number in PORT_SETS
-        and number in MOTOR_LETTERS
-        and len(PORT_SETS[number]) == 1
-        and number
-    ):
-        meant = next(port for port, letter in MOTOR_LETTERS.items() if letter == PORT_SETS[number])
-        parts = {"number": number, "port": MOTOR_LETTERS[number], "other": PORT_SETS[number], "meant": meant}
+
+
+def _motor(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:
+    """Yields a hint about the number of a port that may be meant as a bit mask."""
+    other = PORT_SETS.get(number, "")
+    meant = next((port for port, letter in MOTOR_LETTERS.items() if letter == other), None)
+    if number in MOTOR_LETTERS and meant is not None:
+        parts = {"number": number, "port": MOTOR_LETTERS[number], "other": other, "meant": meant}
         yield operation.finding_of(codes.WRONG_KIND_OF_PORT, argument, "number", **parts)
+
+
+def _sensor(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:
+    if number == len(SensorPort):
+        yield operation.finding_of(codes.PORT_OF_NEXT_BRICK, argument, number=number, before=number - 1)
+
+
+def _percent(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:
+    """Yields a hint about a byte that is a round number as it is, but means another one, which is not round."""
+    raw = argument.raw[0]
+    if argument.length == 1 and number < 0 and raw % _ROUND == 0:
+        yield operation.finding_of(codes.RAW_PERCENT, argument, number=number, byte=f"{raw:02X}", meant=raw)
+
+
+_ROUND = 5
+_OF_ROLES = {Role.MOTORS: _mask, Role.MOTOR: _motor, Role.PORT: _sensor, Role.DRIVE: _percent}
+"""The rules on the values of arguments, by what these are."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ast
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).parents[2] / "ev3proto"
@@ -16,9 +17,10 @@ BY_NAME = {"Reader", "Writer", "FILE_NAME", "build"}
 """Each module of a folder has its own, by which it is found: see "A carrier" and "An export" in CONTRIBUTING.md."""
 
 
-def _parsed() -> Iterator[tuple[Path, ast.Module]]:
-    for path in sorted(PACKAGE.rglob("*.py")):
-        yield path.relative_to(PACKAGE), ast.parse(path.read_text(encoding="utf-8"))
+@cache
+def _parsed() -> list[tuple[Path, ast.Module]]:
+    paths = sorted(PACKAGE.rglob("*.py"))
+    return [(path.relative_to(PACKAGE), ast.parse(path.read_text(encoding="utf-8"))) for path in paths]
 
 
 def test_a_class_name_is_used_once_in_a_package() -> None:

@@ -2,8 +2,8 @@
 
 A row is one integer of 178 bits, the leftmost pixel the highest: a rectangle is one mask ORed into some rows. What is
 drawn is what the firmware draws, pixel for pixel, its rounding and its 16-bit coordinates included. Coordinates may
-be outside the display; shapes are clipped before they are drawn, so that none takes long. Colour 0 clears pixels, any
-other sets them.
+be outside the display: circles are clipped before they are drawn, and lines have a limit, so that none takes long.
+Colour 0 clears pixels, any other sets them.
 """
 
 from __future__ import annotations
@@ -26,11 +26,8 @@ _LEFT = 1 << (WIDTH - 1)
 _LONGEST_WALK = 1 << 15
 """Maximum number of steps of a line whose 16-bit error sum overflowed, which would never end on a brick."""
 
-_LONGEST_OBLIQUE = 0x7FFF // 3
-"""Length up to which the error sum of an oblique line does not overflow."""
-
 _LONGEST_STRAIGHT = 0x3FFF
-"""The same for a horizontal or vertical line."""
+"""Length up to which the error sum of a horizontal or vertical line does not overflow."""
 
 REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 """Each byte with its bits reversed: in the firmware's pictures the leftmost pixel is the lowest bit."""
@@ -92,7 +89,7 @@ class Canvas:
         elif x0 == x1 or y0 == y1:
             self.pixel(color, x0, y0)
         else:
-            for _, x, y in _pixels(x0, y0, x1, y1, _LONGEST_OBLIQUE):
+            for _, x, y in _walk(x0, y0, x1, y1):
                 self.pixel(color, x, y)
 
     def dotline(self, color: int, x0: int, y0: int, x1: int, y1: int, on: int, off: int) -> None:
@@ -101,7 +98,7 @@ class Canvas:
             self.line(color, x0, y0, x1, y1)
             return
         period = on + off
-        for step, x, y in _pixels(x0, y0, x1, y1, _LONGEST_STRAIGHT):
+        for step, x, y in _walk(x0, y0, x1, y1):
             # The counter starts at 1, and is reset when it reaches the period.
             count = step % period if step > 1 and period > 0 else step
             if not step or count < period:
@@ -231,30 +228,8 @@ _Pixels = Iterator[tuple[int, int, int]]
 """The pixels of a line on the display: steps from its start, column, row."""
 
 
-def _pixels(x0: int, y0: int, x1: int, y1: int, longest: int) -> _Pixels:
-    """Returns the pixels of a line; `longest` is the length up to which its error sum does not overflow."""
-    is_exact = max(abs(x1 - x0), abs(y1 - y0)) <= longest
-    return _visible(x0, y0, x1, y1) if is_exact else _walk(x0, y0, x1, y1)
-
-
-def _visible(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
-    """Yields the pixels of a line whose error sum does not overflow."""
-    # The firmware steps along the longer side; after k steps it has made the number of steps along the shorter side
-    # that is nearest to k times the slope, the lower one of two.
-    dx, dy = abs(x1 - x0), abs(y1 - y0)
-    step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
-    is_flat = dx >= dy
-    long, short = (dx, dy) if is_flat else (dy, dx)
-    start, step, size = (x0, step_x, WIDTH) if is_flat else (y0, step_y, HEIGHT)
-    first, last = (-start, size - 1 - start) if step > 0 else (start - size + 1, start)
-    for k in range(max(first, 0), min(last, long) + 1):
-        across = -((long - 2 * k * short) // (2 * long)) if long else 0
-        along_x, along_y = (k, across) if is_flat else (across, k)
-        yield k, x0 + step_x * along_x, y0 + step_y * along_y
-
-
 def _walk(x0: int, y0: int, x1: int, y1: int) -> _Pixels:
-    """Yields the pixels of a line with the firmware's 16-bit error sum, which may overflow."""
+    """Yields the pixels of a line that are on the display, with the firmware's 16-bit error sum, which may overflow."""
     dx, dy = wrap16(abs(x1 - x0)), wrap16(abs(y1 - y0))
     step_x, step_y = 1 if x0 < x1 else -1, 1 if y0 < y1 else -1
     error = wrap16(dx - dy)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from functools import lru_cache
-from itertools import chain
-from typing import TYPE_CHECKING
 
 from ev3proto.bounded import DEFAULT_MEMORY, Budget
 from ev3proto.capture.byte_account import Account
@@ -28,9 +26,6 @@ STEP_NS = NANOSECONDS // 1000
 
 BRICK = "brick"
 """The brick's end of a route: a text seldom has its address."""
-
-if TYPE_CHECKING:
-    from ev3proto.capture.reading import Capture
 
 _DAY_NS = 86_400 * NANOSECONDS
 _TIME = re.compile(
@@ -155,15 +150,6 @@ class TextLog:
         self.account.frames += len(frame)
         self.account.forgotten = self.budget.dropped
         return record
-
-
-def read_log(pieces: Iterable[Pasted], *, dialect: str = "official", memory: int = DEFAULT_MEMORY) -> Capture:
-    """Returns the frames of a text as a capture, whose records are numbered by lines."""
-    from ev3proto.capture.reading import Capture  # takes 15 ms, which frames in texts do not need
-
-    log = TextLog(dialect, memory)
-    records = (log.records(piece, Place("", piece.line)) for piece in pieces if piece.data)
-    return Capture(chain.from_iterable(records), log.account)
 
 
 def _direction(written: Written, message: Message, size: int) -> Direction:

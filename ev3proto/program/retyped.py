@@ -56,7 +56,7 @@ class RetypedSchema:
         retyped = arguments[self.first : self.first + len(self.kinds)]
         after = arguments[self.first + len(self.kinds) :]
         read = (
-            _schema_of_argument(argument, kind, direction).read(data, argument.offset)[0]
+            _argument_schema(argument.name, argument.parameter.text, kind, direction).read(data, argument.offset)[0]
             for argument, (kind, direction) in zip(retyped, self.kinds, strict=False)
         )
         return (*kept, *read, *after)
@@ -69,10 +69,6 @@ class RetypedSchema:
 @cache
 def _argument_schema(name: str, text: str, kind: Type, direction: Direction) -> ArgumentSchema:
     return ArgumentSchema(Parameter(name, kind, text, direction))
-
-
-def _schema_of_argument(argument: Argument, kind: Type, direction: Direction) -> ArgumentSchema:
-    return _argument_schema(argument.name, argument.parameter.text, kind, direction)
 
 
 @cache
@@ -119,7 +115,8 @@ class Types(NamedTuple):
         callee = arguments[0] if arguments else None
         if callee is None or callee.kind != CONSTANT or callee.value not in self.callees:
             return operation
-        return self._read(operation, _FIXED_OF_CALL, _kinds(self.callees[int(callee.value)]))
+        kinds = tuple((parameter.type, parameter.direction) for parameter in self.callees[int(callee.value)])
+        return self._read(operation, _FIXED_OF_CALL, kinds)
 
     def _fill(self, operation: Operation) -> Operation:
         handle = _handle_of(operation)
@@ -132,11 +129,6 @@ class Types(NamedTuple):
 
     def _read(self, operation: Operation, first: int, kinds: Kinds) -> Operation:
         return operation.read_by(retyped(instruction_set(self.dialect)[operation.full_name], first, kinds))
-
-
-@cache
-def _kinds(parameters: tuple[ProgramParameter, ...]) -> Kinds:
-    return tuple((parameter.type, parameter.direction) for parameter in parameters)
 
 
 def _handle_of(operation: Operation) -> Argument | None:

@@ -1,11 +1,13 @@
 """How fast the virtual brick answers over loopback, server and client on one core: `pytest benchmarks -k server`.
 
 The lines above the table of pytest-benchmark have the results: commands per second of one client, each reading
-one value; of fifty clients at once, with every reply compared; a file of 1 MB in both directions.
+one value; of fifty clients at once, with every reply compared; a file of 1 MB in both directions; how long an honest
+client waits beside 180 idle ones and twelve that send random frames, or four that connect for each slow command.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -22,21 +24,34 @@ from support.server import Client, command, download, upload
 COMMANDS = 3000
 CLIENTS = 50
 
+VOLUME = command("DATA8 volume\nINFO(GET_VOLUME, volume)")
+
+IDLE = 180
+ANSWERS = 600
+"""Answers to an honest client, one every 0.1 s."""
+
 
 @pytest.fixture
-def port(tmp_path: Path) -> Iterator[int]:
-    """The port of a brick in another process, on the same core as this one."""
+def process(tmp_path: Path) -> Iterator[subprocess.Popen[str]]:
+    """A brick in another process, on the same core as this one."""
     cores = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(cores)})
-    words = ["brick", "--port", "0", "--no-beacon", "--quiet", "--clients", str(CLIENTS), "--root", str(tmp_path)]
+    words = ["brick", "--port", "0", "--no-beacon", "--quiet", "--clients", "250", "--root", str(tmp_path)]
     process = subprocess.Popen([sys.executable, "-m", "ev3proto", *words], stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None
-        yield int(process.stdout.readline().rpartition(":")[2])
+        yield process
     finally:
         process.terminate()
         process.communicate()
         os.sched_setaffinity(0, cores)
+
+
+@pytest.fixture
+def port(process: subprocess.Popen[str]) -> int:
+    """The port of the brick."""
+    assert process.stdout is not None
+    return int(process.stdout.readline().rpartition(":")[2])
 
 
 def _best(benchmark: BenchmarkFixture, work: Callable[[], None]) -> float:
@@ -112,3 +127,38 @@ def test_file(port: int, benchmark: BenchmarkFixture, capsys: pytest.CaptureFixt
     there, back = (min(column) for column in zip(*times, strict=True))
     with capsys.disabled():
         print(f"\n1 MB: to the brick {there:.2f} s, from it {back:.2f} s")
+
+
+def _loaded(process: subprocess.Popen[str], port: int, attack: str, answers: int) -> tuple[list[float], list[float]]:
+    """Returns the seconds by the clock, and of the brick's CPU time, in which an honest client gets its answers."""
+    clock = ~process.pid << 3 | 2  # of the CPU time of a process, on Linux
+    words = [sys.executable, "-m", "benchmarks.load", attack, str(port)]
+    elapsed, spent = [], []
+    with contextlib.ExitStack() as stack:
+        attacker = stack.enter_context(subprocess.Popen(words, env={**os.environ, "PYTHONPATH": "tests"}))
+        stack.callback(attacker.terminate)
+        honest, *_ = [stack.enter_context(Client(port)) for _ in range(IDLE)]
+        for _ in range(answers):
+            begin, begun = time.monotonic(), time.clock_gettime(clock)
+            honest.ask(VOLUME)
+            elapsed.append(time.monotonic() - begin)
+            spent.append(time.clock_gettime(clock) - begun)
+            time.sleep(max(0.0, 0.1 - elapsed[-1]))
+    return sorted(elapsed), sorted(spent)
+
+
+def test_random_clients(process: subprocess.Popen[str], port: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """Twelve that send random frames."""
+    elapsed, spent = _loaded(process, port, "random", ANSWERS)
+    with capsys.disabled():
+        print(f"\nrandom clients: {spent[-1]:.3f} s of CPU time at most, {elapsed[-1]:.3f} s by the clock")
+    assert spent[-1 - ANSWERS // 1000] < 0.3
+    assert spent[-1] < 1.0
+
+
+def test_slow_clients(process: subprocess.Popen[str], port: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """Four that connect for each command of half a second."""
+    elapsed, _ = _loaded(process, port, "slow", 30)
+    with capsys.disabled():
+        print(f"\nslow clients: {elapsed[len(elapsed) // 2]:.2f} s by the clock, {elapsed[-1]:.2f} s at most")
+    assert elapsed[-1] < 2.5

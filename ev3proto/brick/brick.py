@@ -305,6 +305,11 @@ class Brick:
         return "" if program is None else program.waits_for
 
     @property
+    def spent(self) -> float:
+        """CPU seconds that the direct command in progress has taken."""
+        return 0.0 if self._command is None else self._command.spent
+
+    @property
     def is_computing(self) -> bool:
         """Whether a command is ready to continue."""
         return self._is_computing or bool(self._long)

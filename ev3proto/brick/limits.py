@@ -41,6 +41,9 @@ STRETCH = 0.02
 PATIENCE = 10.0
 """Seconds after which a direct command is ended when another client waits for it."""
 
+MOST_SPENT = 0.25
+"""CPU seconds after which a direct command is ended when another client waits for it."""
+
 MOST_BUFFERED = 1 << 17
 """Bytes of a client that the brick has not read yet; at this limit reading pauses. One frame fits."""
 

@@ -74,7 +74,8 @@ LIMITS = [
     f"{MAX_FRAME:,} bytes; a longer one is refused without being read",
     f"{MOST_TRIALS}, as in the dissector; then the chunk is skipped, and reported",
     f"{language.MAX_LENGTH:,} characters, {language.MAX_DEPTH} levels deep",
-    f"{limits.MOST_OPERATIONS:,}, and {limits.MOST_PROCESSOR_SECONDS:g} s of CPU time",
+    f"{limits.MOST_OPERATIONS:,}, and {limits.MOST_PROCESSOR_SECONDS:g} s of CPU time"
+    f"; {limits.MOST_SPENT:g} s if another client waits",
     f"{limits.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
     f"{limits.STRETCH * 1000:g} ms of CPU time, and one step of an operation",
     f"{limits.STRETCH * 1000:g} ms of CPU time at a time",

@@ -10,6 +10,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -346,6 +347,45 @@ def test_endless_commands_do_not_keep_others_out(tmp_path: Path, monkeypatch: py
         assert time.monotonic() - begin < 30
         assert bad.reply()[4] == 0x04
         assert "was ended after 0.3 s" in brick.said[-1]
+
+
+def test_a_client_that_connects_for_each_command_is_not_ahead_of_others(tmp_path: Path) -> None:
+    """The frame that has waited longest is next, not the newest client."""
+    slow = command("DATA32 timer\nTIMER_WAIT(50, timer)\nTIMER_READY(timer)")
+    done = 0
+
+    def connect_again(port: int) -> None:
+        nonlocal done
+        while not is_over.is_set():
+            with Client(port) as client:
+                client.ask(slow)
+                done += 1
+
+    is_over = threading.Event()
+    with served(tmp_path, replace(PLAIN, clients=9)) as brick, Client(brick.port) as honest:
+        threads = [threading.Thread(target=connect_again, args=(brick.port,)) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        until(lambda: done > 4)
+        waited = []
+        for _ in range(8):
+            before = done
+            assert honest.ask(VOLUME) == HUNDRED
+            waited.append(done - before)
+        is_over.set()
+        for thread in threads:
+            thread.join(30)
+        # One command of each, and what was counted late.
+        assert max(waited) <= 8
+
+
+def test_a_command_that_computes_for_long_gives_way(tmp_path: Path) -> None:
+    with served(tmp_path, replace(PLAIN, clients=2)) as brick, Client(brick.port) as bad, Client(brick.port) as good:
+        bad.send(ENDLESS)
+        until(lambda: brick.now.brick.is_busy)
+        assert good.ask(VOLUME) == HUNDRED
+        assert bad.reply()[4] == 0x04
+        assert "its command was ended after 0.25 s of CPU time, because another client waits" in brick.said[-1]
 
 
 def test_work_that_takes_long_keeps_no_other_client_waiting(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from random import Random
 
 from ev3proto.brick import Brick
@@ -47,7 +47,11 @@ _SYSTEM = (0x94, 0x94, 0x95, 0x95, 0x96, 0x97, 0x98, 0x99, 0x99, 0x9A, 0x9A, 0x9
 class Attacker:
     """Draws frames: most have operations that read, with plausible arguments."""
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, operations: Sequence[Declaration] = OPERATIONS, changed: float = 0.05) -> None:
+        """`operations`: those that are drawn, mostly the ones that read; `changed`: the share with a changed byte."""
+        self._changed = changed
+        self._reading = [one for one in operations if one in READING]
+        self._operations = operations
         self.handle = 0  # the newest handle of a client
         self._random = Random(seed)
 
@@ -66,11 +70,10 @@ class Attacker:
 
     def _direct(self) -> bytes:
         draw = self._random
-        chosen = [
-            draw.choice(READING if draw.random() < 0.85 else OPERATIONS) for _ in range(draw.choice((1, 1, 2, 6)))
-        ]
+        count = draw.choice((1, 1, 2, 6))
+        chosen = [draw.choice(self._reading if draw.random() < 0.85 else self._operations) for _ in range(count)]
         code = bytearray(b"".join(map(self._operation, chosen)))
-        if draw.random() < 0.05:
+        if draw.random() < self._changed:
             code[draw.randrange(len(code))] = draw.randrange(256)
         memory = draw.choice((16, 64, 64, 200, 1019)) | draw.choice((16, 16, 40, 63)) << 10
         return struct.pack("<BH", draw.choice((0,) * 19 + (0x80,)), memory) + bytes(code)

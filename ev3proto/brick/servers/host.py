@@ -14,7 +14,7 @@ from random import Random
 from typing import Protocol
 
 from ev3proto.brick.brick import Addressed, Brick
-from ev3proto.brick.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, PATIENCE
+from ev3proto.brick.limits import MOST_BUFFERED, MOST_DELAYED, MOST_QUEUED, MOST_SPENT, PATIENCE
 from ev3proto.brick.servers import Observer
 from ev3proto.errors import counted
 from ev3proto.schema.frame_buffer import FrameBuffer
@@ -25,7 +25,10 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
 from ev3proto.version import REPORT_IT
 
 _COMPUTING_PERIOD, _BUSY_PERIOD, _IDLE_PERIOD = 0.0, 0.002, 0.02
-"""Seconds between two checks of the clock: while a direct command computes, while it waits, otherwise."""
+"""Seconds between two checks of the clock: while a direct command computes, once it waits, otherwise."""
+
+_BUSY_SHARE = 0.02
+"""How much of the time that a direct command has waited passes until the next check."""
 
 _MOST_SERVING = 0.01
 """Seconds for which frames are served before the event loop continues."""
@@ -110,7 +113,8 @@ class Connection:
         if self._buffered > MOST_BUFFERED and not self._is_paused:
             self._is_paused = True
             self._line.pause()
-        self._host.wake()
+        if not self._host.brick.is_busy:
+            self._host.wake()
 
     def throttle(self, is_throttled: bool) -> None:
         """Learns whether the client leaves too much unread; while it does, its frames wait."""
@@ -367,10 +371,10 @@ class Host:
             connection, begin = self._current
             if brick.waits_for:
                 self._report_waiting(connection)
-            if self._loop.time() - begin > PATIENCE and self._is_awaited(connection):
-                self.say_once(
-                    f"{connection.name}: its command was ended after {PATIENCE:g} s, because another client waits"
-                )
+            is_long = brick.spent > MOST_SPENT
+            if (is_long or self._loop.time() - begin > PATIENCE) and self._is_awaited(connection):
+                after = f"{MOST_SPENT:g} s of CPU time" if is_long else f"{PATIENCE:g} s"
+                self.say_once(f"{connection.name}: its command was ended after {after}, because another client waits")
                 connection.forget_frames()
                 self._guarded(brick.end_command, "as a command was ended")
         if brick.has_ended_command:
@@ -409,8 +413,9 @@ class Host:
             self._timer.cancel()
         if self.brick.is_computing or self._is_behind():
             period = _COMPUTING_PERIOD
-        elif self.brick.is_busy:
-            period = _BUSY_PERIOD
+        elif self.brick.is_busy and self._current is not None:
+            waited = self._loop.time() - self._current[1]
+            period = min(max(_BUSY_PERIOD, _BUSY_SHARE * waited), _IDLE_PERIOD)
         elif self._next() is not None:
             period = _COMPUTING_PERIOD
         else:

@@ -22,6 +22,7 @@ from ev3proto.checking.fixing import fix
 from ev3proto.checking.report import Fix, Report
 from ev3proto.messages import Message
 from ev3proto.text.paste import Pasted, read_text
+from ev3proto.text.paste.elements import BYTES, string_bytes
 from ev3proto.text.splitting import split
 
 _MOST_TEXT = 1 << 16
@@ -186,19 +187,6 @@ class _Notation(NamedTuple):
     write: Callable[[bytes, str, _Style], str]  # returns the digits of new bytes, from the old digits
 
 
-def _byte(number: int) -> bytes | None:
-    return bytes((number & 0xFF,)) if -128 <= number <= 255 else None
-
-
-def _read_hex(digits: str) -> bytes | None:
-    if len(digits) == 8 and digits.lower().startswith("ffffff"):
-        # A signed char, as printf("%x") shows it.
-        return bytes.fromhex(digits[-2:])
-    if len(digits) % 2 == 0:
-        return bytes.fromhex(digits)
-    return bytes((int(digits, 16),)) if len(digits) == 1 else None
-
-
 def _write_hex(data: bytes, _: str, style: _Style) -> str:
     if style.is_signed and len(data) == 1 and data[0] > 127:
         return f"ffffff{data.hex()}"
@@ -206,33 +194,12 @@ def _write_hex(data: bytes, _: str, style: _Style) -> str:
     return digits.upper() if style.is_upper else digits
 
 
-def _read_words(digits: str) -> bytes | None:
-    return bytes.fromhex(digits)[::-1] if len(digits) == 4 else None
-
-
-def _read_escape(base: int) -> Callable[[str], bytes | None]:
-    def read(text: str) -> bytes | None:
-        if len(text) == 1:
-            return text.encode("latin-1") if ord(text) < 256 else None
-        if text[1] in "xXu":
-            return _byte(int(text[2:].strip("{}"), 16))
-        return _byte(int(text[1:], base)) if text[1].isdigit() else _ESCAPES.get(text[1])
-
-    return read
-
-
-_ESCAPES = {letter: bytes((value,)) for letter, value in zip("abtnvfre\\'\"", b"\7\b\t\n\v\f\r\x1b\\'\"", strict=True)}
-
-
-def _write_escape(base: int) -> Callable[[bytes, str, _Style], str]:
-    def write(data: bytes, old: str, style: _Style) -> str:
-        if old.startswith("\\u"):
-            return f"\\u{data[0]:04x}"
-        if base == 16 or not re.match(r"\\\d", old):
-            return f"\\x{data.hex().upper() if style.is_upper else data.hex()}"
-        return f"\\{data[0]:03o}" if base == 8 else f"\\{data[0]:03}"
-
-    return write
+def _write_escape(data: bytes, old: str, style: _Style) -> str:
+    if old.startswith("\\u"):
+        return f"\\u{data[0]:04x}"
+    if re.match(r"\\\d", old):
+        return f"\\{data[0]:03o}"
+    return f"\\x{data.hex().upper() if style.is_upper else data.hex()}"
 
 
 _HEX = re.compile(
@@ -249,17 +216,16 @@ _SEPARATOR = re.compile(r"[,;]?[ \t]*")
 _BASE64 = re.compile(r"[A-Za-z0-9+/_-]{8,}={0,2}")
 
 _NOTATIONS = (
-    _Notation(_HEX, _read_hex, _write_hex),
+    _Notation(_HEX, BYTES["hex"].__getitem__, _write_hex),
     _Notation(
         _DECIMAL,
-        lambda digits: _byte(int(digits)),
+        BYTES["decimal"].__getitem__,
         lambda data, _, style: str(data[0] - 256 if style.is_signed and data[0] > 127 else data[0]),
     ),
-    _Notation(_UNIT, _read_escape(8), _write_escape(8)),
-    _Notation(_UNIT, _read_escape(10), _write_escape(10)),
-    _Notation(_WORDS, _read_words, lambda data, _, style: _write_hex(data[::-1], "", style)),
-    _Notation(_OCTAL, lambda digits: _byte(int(digits, 8)), lambda data, *_: f"{data[0]:03o}"),
-    _Notation(_BINARY, lambda digits: _byte(int(digits, 2)), lambda data, *_: f"{data[0]:08b}"),
+    _Notation(_UNIT, string_bytes, _write_escape),
+    _Notation(_WORDS, BYTES["words"].__getitem__, lambda data, _, style: _write_hex(data[::-1], "", style)),
+    _Notation(_OCTAL, BYTES["octal"].__getitem__, lambda data, *_: f"{data[0]:03o}"),
+    _Notation(_BINARY, BYTES["bits"].__getitem__, lambda data, *_: f"{data[0]:08b}"),
 )
 
 

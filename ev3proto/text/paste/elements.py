@@ -466,42 +466,40 @@ _OWN = re.compile(r"[oO]p[A-Z]|[A-Z][a-z]+[A-Z]|[A-Za-z]+_")
 
 
 def _plain(name: str) -> str:
-    return re.sub(r"^[oO]p(?=[A-Z])|_", "", name).upper()
+    return name.replace("_", "").upper()
 
 
 @cache
-def _constants() -> tuple[dict[str, bytes], dict[str, bytes]]:
-    """Returns the bytes of the names of LEGO's headers, and those of all names in any spelling."""
-    found = {}
-    for name in names.constant_names():
-        value = names.constant(name)
-        if isinstance(value, bytes) or (isinstance(value, int) and 0 <= value <= 255):
-            found[name] = value if isinstance(value, bytes) else bytes((value,))
-    types = {name: bytes((member,)) for name, member in MessageType.__members__.items()}
+def _constants() -> dict[str, bytes]:
+    """Returns the bytes of the names of LEGO's headers, operations and types of frames, as `_plain` writes names."""
+    found = {name: names.constant(name) for name in names.constant_names()}
+    types = dict(MessageType.__members__)
     # `CommandType.DirectReply` is a command, `ReplyType.DirectReply` a reply.
     commands = {name.replace("_COMMAND", ""): types[name] for name in types if "_COMMAND" in name}
-    found |= {f"op{one.name}": bytes((one.number,)) for one in OPCODES} | types
-    plain = {_plain(name): data for name, data in (commands | found).items()}
-    return found, plain | {f"COMMAND{_plain(name)}": data for name, data in commands.items()}
+    found |= {f"OP{one.name}": one.number for one in OPCODES} | types
+    plain = {_plain(name): value for name, value in (commands | found).items()}
+    plain |= {f"COMMAND{_plain(name)}": value for name, value in commands.items()}
+    encoded = {name: bytes((value,)) for name, value in plain.items() if isinstance(value, int) and 0 <= value <= 255}
+    return encoded | {name: value for name, value in plain.items() if isinstance(value, bytes)}
 
 
 def known_name(text: str) -> bytes | None:
     """Returns the byte of an operation, a CMD, a type of a frame, a constant, however a program writes its name."""
     name = _NAME.fullmatch(text.strip())
-    if name is None or not (name["owner"][:1].isupper() or _OWN.match(name["name"])):
+    if name is None or not (name["owner"][:1].isupper() or name["name"].isupper() or _OWN.match(name["name"])):
         return None
-    plain = _constants()[1]
-    return (plain.get(f"COMMAND{_plain(name['name'])}") if "ommand" in name["owner"] else None) or plain.get(
-        _plain(name["name"])
-    )
+    plain, known = _plain(name["name"]), _constants()
+    # An operation alone in capital letters is a word of a table.
+    is_other = bool(name["owner"]) or not name["name"].isupper()
+    of_owner = known.get("COMMAND" * ("ommand" in name["owner"]) + plain)
+    return of_owner or known.get(plain) or (known.get(f"OP{plain}") if is_other else None)
 
 
 def _of_name(text: str) -> bytes | None:
-    """Returns the bytes of a name of LEGO's headers, or of one of their macros."""
+    """Returns the bytes of a name, or of one of LEGO's macros."""
     call = _MACRO_CALL.fullmatch(text)
     if call is None:
-        name = text.rpartition(".")[2]
-        return _constants()[0].get(name) or (known_name(name) if name.startswith("op") else None)
+        return known_name(text)
     macro, value = call.groups()
     try:
         if macro == "LCS":
@@ -514,7 +512,7 @@ def _of_name(text: str) -> bytes | None:
 
 def _number(text: str) -> int:
     """Returns the number in a macro, which may have a name; that of a constant is encoded already."""
-    data = _constants()[0].get(text)
+    data = _constants().get(_plain(text))
     if data is None:
         return int(text, 0)
     number = int.from_bytes(data[1:] or bytes((data[0] << 2 & 0xFF,)), "little", signed=True)

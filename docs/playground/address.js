@@ -19,12 +19,14 @@ const bytesOf = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replace
 /** @param {string} text */
 const plain = (text) => `#text=${encodeURIComponent(text)}`;
 
-/** @param {string} text */
-const deflated = async (text) => {
-  if (!("CompressionStream" in globalThis)) return null;
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream(DEFLATE));
-  return `#z=${base64url(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
+/** Returns something deflated, in base64url. @param {BlobPart} content */
+export const deflated = async (content) => {
+  const stream = new Blob([content]).stream().pipeThrough(new CompressionStream(DEFLATE));
+  return base64url(new Uint8Array(await new Response(stream).arrayBuffer()));
 };
+
+/** @param {string} text */
+const packed = async (text) => ("CompressionStream" in globalThis ? `#z=${await deflated(text)}` : null);
 
 /** @param {string} fragment */
 const isShort = (fragment) => location.href.split("#")[0].length + fragment.length <= MOST_LINK;
@@ -33,13 +35,13 @@ const isShort = (fragment) => location.href.split("#")[0].length + fragment.leng
 export const fragmentOf = async (text) => {
   if (!text) return "";
   if (text.length <= MOST_TEXT) return plain(text);
-  const found = await deflated(text);
+  const found = await packed(text);
   return found && isShort(found) ? found : "";
 };
 
 /** The shortest link to a text; null if there is none. @param {string} text */
 export const linkTo = async (text) => {
-  const found = [text.length <= MOST_TEXT ? plain(text) : null, await deflated(text)].filter((it) => it !== null).filter(isShort);
+  const found = [text.length <= MOST_TEXT ? plain(text) : null, await packed(text)].filter((it) => it !== null).filter(isShort);
   if (!found.length) return null;
   const shortest = found.reduce((one, other) => (other.length < one.length ? other : one));
   return location.href.split("#")[0] + shortest;
@@ -52,11 +54,11 @@ export const textOf = async (fragment) => {
   if (kind === "text") {
     try { return decodeURIComponent(given); } catch { return given; }
   }
-  return inflated(given);
+  return (await inflated(given, MOST_INFLATED)).text();
 };
 
-/** @param {string} given */
-const inflated = async (given) => {
+/** Returns what was deflated. @param {string} given  in base64url @param {number} most  bytes */
+export const inflated = async (given, most) => {
   if (!("DecompressionStream" in globalThis)) throw new Error("This browser cannot read the link: it lacks DecompressionStream.");
   const parts = [];
   let size = 0;
@@ -66,7 +68,7 @@ const inflated = async (given) => {
       const { done, value } = await reader.read();
       if (done) break;
       size += value.length;
-      if (size > MOST_INFLATED) {
+      if (size > most) {
         reader.cancel().catch(() => {});
         break;
       }
@@ -75,6 +77,6 @@ const inflated = async (given) => {
   } catch {
     throw new Error("The link is damaged: the text in it cannot be unpacked. Was it copied as a whole?");
   }
-  if (size > MOST_INFLATED) throw new Error("The link unpacks to more than 1 MiB, which this page does not read.");
-  return new Blob(parts).text();
+  if (size > most) throw new Error("The link unpacks to more than 1 MiB, which this page does not read.");
+  return new Blob(parts);
 };

@@ -4,12 +4,13 @@ import { fragmentOf, linkTo, textOf } from "./address.js";
 import { edit, replace } from "./editor.js";
 import { copy, find, make } from "./elements.js";
 import { EXAMPLES } from "./examples.js";
-import { home, LITTLE, look } from "./reading.js";
+import { keep, kept } from "./keeping.js";
+import { current, home, LITTLE, look } from "./reading.js";
 import { firstAnswer } from "./first.js";
 import { change, state } from "./state.js";
 import { onLine, view } from "./view.js";
 
-const MOST_FILE = 32 << 20;
+const MOST_FILE = 32e6;
 const MOST_EDITED = 100_000;
 /** Milliseconds after which the first frame is painted, if ever. */
 const PAINTED = 100;
@@ -34,6 +35,7 @@ const changed = () => {
   filter.value = "";
   find("start").hidden = text !== "";
   setAddress(text);
+  keep(text);
   look(text.length, true, "look", text, "");
   preview(text);
 };
@@ -57,8 +59,12 @@ const put = (fragment) => {
 /** @param {File | undefined} opened */
 const open = async (opened) => {
   if (!opened) return;
+  if (!opened.size) {
+    refuse(`${opened.name} is empty.`);
+    return;
+  }
   if (opened.size > MOST_FILE) {
-    change({ error: `${opened.name} is larger than ${MOST_FILE >> 20} MiB; use ev3proto on the command line.` });
+    refuse(`${opened.name} has ${(opened.size / 1e6).toFixed(1)} MB, and this page reads at most ${MOST_FILE / 1e6} MB: use ev3proto on the command line.`);
     return;
   }
   if (opened.size <= MOST_EDITED) {
@@ -79,6 +85,14 @@ const open = async (opened) => {
   await readFile("");
 };
 
+/** Empties the input, so that nothing is shown of it, and says why. @param {string} why */
+const refuse = async (why) => {
+  if (input.value) replace(""); else changed();
+  await current();
+  if (!input.value && !state().file) change({ error: why });
+};
+find("forget").onclick = () => { if (input.value) replace(""); else changed(); };
+
 /** The file that is read in place of the input. @type {File | null} */
 let latest = null;
 
@@ -88,9 +102,11 @@ const readFile = async (expression) => {
   if (!opened) return;
   try {
     const bytes = new Uint8Array(await opened.arrayBuffer());
-    if (opened === latest && state().file) look(bytes.length, false, "open_file", opened.name, bytes, expression);
+    if (opened !== latest || !state().file) return;
+    if (!expression) keep(opened);
+    look(bytes.length, false, "open_file", opened.name, bytes, expression);
   } catch (error) {
-    change({ error: `${opened.name} cannot be read: ${error instanceof Error ? error.message : error}` });
+    refuse(`${opened.name} cannot be read: ${error instanceof Error ? error.message : error}`);
   }
 };
 file.onchange = () => open(file.files?.[0]);
@@ -178,6 +194,7 @@ const openLink = async (isFirst = false) => {
       input.value = text;
       change({ file: "" });
       find("start").hidden = text !== "";
+      keep(text);
       look(text.length, false, "look", text, "");
     }
   } catch (error) {
@@ -198,10 +215,16 @@ const preview = (text) => {
   change({ isStale: false });
 };
 
-/** Shows the frame of the link at once. Returns when it can be seen. */
+/** Shows the frame of the link, or of what was kept, at once. Returns when it can be seen. */
 export const showFirst = async () => {
-  const text = await textOf(location.hash).catch(() => null);
-  if (text === null) return;
+  const text = await textOf(location.hash).catch(() => "") ?? await kept();
+  if (text instanceof File) {
+    latest = text;
+    input.placeholder = text.name;
+    find("start").hidden = true;
+  }
+  if (typeof text !== "string") return;
+  keep(text);
   input.value = text;
   find("start").hidden = text !== "";
   preview(text);
@@ -209,8 +232,10 @@ export const showFirst = async () => {
   await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); setTimeout(resolve, PAINTED); });
 };
 
-/** Reads what is there when Python is ready: the link, or what was typed meanwhile. */
+/** Reads what is there when Python is ready: the link, what was typed meanwhile, or what was kept. */
 export const readFirst = async () => {
-  find("start").hidden = input.value !== "";
-  if (!await openLink(true)) look(input.value.length, false, "look", input.value, "");
+  find("start").hidden = input.value !== "" || latest !== null;
+  if (await openLink(true)) return;
+  if (latest && !input.value) await open(latest);
+  else look(input.value.length, false, "look", input.value, "");
 };

@@ -19,6 +19,8 @@ follow((known) => {
   find("download").hidden = !known.isProgram || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);
   find("filter").hidden = !known.canFilter;
+  find("kept").hidden = !known.kept;
+  inside(find("kept"), "small", HTMLElement).textContent = known.kept;
   find("progress").hidden = known.progress === null;
   if (!known.progress) return;
   inside(find("progress"), "progress", HTMLProgressElement).value = known.progress.part;

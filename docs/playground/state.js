@@ -11,6 +11,7 @@
  * @property {string} byte  what the byte says that was chosen last
  * @property {boolean} isProgram  whether the input is a program
  * @property {string} file  the name of the file that is read in place of the input; empty for the input
+ * @property {string} kept  a sentence about whether the input outlives a reload; empty for no input
  * @property {string} filter  which frames are shown; empty for all
  * @property {boolean} canFilter  whether the input has several frames
  * @property {boolean} isStale  whether what is shown belongs to an older input
@@ -32,6 +33,7 @@ let now = {
   byte: "",
   isProgram: false,
   file: "",
+  kept: "",
   filter: "",
   canFilter: false,
   isStale: false,

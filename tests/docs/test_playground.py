@@ -600,6 +600,83 @@ def test_a_file_can_be_dropped_anywhere(page: Page) -> None:
     page.wait(lambda: page.input == LOG, 20)
 
 
+_DROP_BYTES = """
+    const data = new DataTransfer();
+    const bytes = new Uint8Array(arguments[1]);
+    const noise = arguments[2] ? (at) => crypto.getRandomValues(bytes.subarray(at, at + 65536)) : () => {};
+    for (let at = 0; at < bytes.length; at += 65536) noise(at);
+    data.items.add(new File([bytes], arguments[0]));
+    document.body.dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer: data}))"""
+"""Drops a file of zeros, or of noise: its name, its size in bytes, whether it is noise."""
+
+
+def test_a_refused_file_says_so_and_nothing_older_is_left(page: Page) -> None:
+    for name, size, said in (
+        ("nothing.pcapng", 0, "nothing.pcapng is empty."),
+        ("class.pcapng", 33_000_000, "class.pcapng has 33.0 MB, and this page reads at most 32 MB"),
+    ):
+        page.read(TONE)
+        page.run(_DROP_BYTES, name, size, False)
+        page.wait(lambda said=said: said in page.text("error"))
+        assert (
+            page.input
+            == page.text("tree")
+            == page.text("findings")
+            == page.text("sentence")
+            == page.text("frame")
+            == ""
+        )
+        # It can be undone.
+        page.browser.find_element(By.ID, "input").send_keys(Keys.CONTROL, "z")
+        page.wait(lambda: page.input == TONE and not page.text("error"))
+
+
+def test_the_input_outlives_a_reload(page: Page) -> None:
+    def reload(expected: str) -> None:
+        page.browser.refresh()
+        page.wait(lambda: page.is_ready)
+        page.wait(lambda: expected in page.text("tree"))
+
+    # A text that is too long for the address, and a capture.
+    long = f"# {random.Random(1).randbytes(8000).hex()}\n{BATTERY}"
+    page.type(long)
+    page.wait(lambda: "there again after a reload" in page.text("kept"))
+    assert "#" not in page.browser.current_url
+    reload("UI_READ.GET_VBATT")
+    assert page.input == long
+    page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
+    page.wait(lambda: "GET_BRICKNAME" in page.text("tree") and "after a reload" in page.text("kept"))
+    reload("GET_BRICKNAME")
+    assert page.run("return input.placeholder") == "usb.pcapng"
+    assert not page.is_shown("start")
+    # A link wins, and another tab knows nothing of it.
+    page.open(fragment(TONE))
+    page.wait(lambda: "SOUND.TONE" in page.text("tree"))
+    assert page.input == TONE
+    page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
+    page.wait(lambda: "after a reload" in page.text("kept"))
+    first = page.browser.current_window_handle
+    page.browser.switch_to.new_window("tab")
+    try:
+        page.open()
+        assert "GET_BRICKNAME" not in page.text("tree")
+    finally:
+        page.browser.close()
+        page.browser.switch_to.window(first)
+    # A page that is opened anew is empty.
+    page.open()
+    assert page.is_shown("start")
+    # What is too large says so; what was forgotten is gone.
+    page.run(_DROP_BYTES, "noise.bin", 9_000_000, True)
+    page.wait(lambda: "too large to be kept (9.0 MB)" in page.text("kept"))
+    page.click("forget")
+    page.wait(lambda: not page.is_shown("kept") and page.run("return input.placeholder") == "")
+    assert page.run("return sessionStorage.length") == 0
+    page.browser.refresh()
+    page.wait(lambda: page.is_ready)
+    assert page.is_shown("start")
+
+
 def test_a_long_capture_has_pages_and_a_finding_opens_its_own(page: Page, tmp_path: Path) -> None:
     wrong = bytes.fromhex("08000100000500810161")  # of 1,001 frames the 951st
     capture = tmp_path / "long.pcapng"

@@ -3,7 +3,7 @@
 import { showDialogues } from "./dialogues.js";
 import { showMade } from "./made.js";
 import { NOTHING } from "./places.js";
-import { source } from "./reading.js";
+import { home } from "./reading.js";
 import { clearRemedies, offerRemedies } from "./headline.js";
 import { change, state } from "./state.js";
 import { view } from "./view.js";
@@ -44,7 +44,7 @@ import { view } from "./view.js";
 export const show = (answer, isMore, isWhole) => {
   change({ error: answer.error, isProgram: answer.isProgram, canFilter: state().canFilter || answer.count > 1, isStale: false });
   view(answer, isMore);
-  showMade(answer, (form) => source().ask("made", form));
+  showMade(answer, (form) => home().ask("made", form));
   showDialogues(answer.dialogues, isWhole);
   if (isWhole && answer.headline.sentence) offerRemedies(); else clearRemedies();
 };

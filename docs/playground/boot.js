@@ -1,6 +1,8 @@
 // How Python starts: from a snapshot of its memory, which the build made, or plain, by importing the same modules.
 // Pyodide's snapshots are experimental: where one cannot be loaded, the plain start follows.
 
+import { Loads } from "./loads.js";
+
 /** @typedef {typeof import("./pyodide/pyodide.mjs").loadPyodide} Load */
 /** @typedef {Record<string, (...given: unknown[]) => any>} Bridge */
 /**
@@ -12,15 +14,18 @@
  */
 
 /** Files of the site. An archive without anything takes the place of Python's modules until they are there. */
-const MODULES = "python.zip", NO_MODULES = "none.zip", SNAPSHOT = "snapshot.bin", WASM = "pyodide/pyodide.asm.wasm", ASM = "pyodide/pyodide.asm.js";
+const MODULES = "python.zip", NO_MODULES = "none.zip", PYODIDE = "pyodide/pyodide.mjs", WASM = "pyodide/pyodide.asm.wasm", ASM = "pyodide/pyodide.asm.js";
+/** The snapshot in each form in which it is packed, the smallest first. @type {[format: string, file: string][]} */
+const SNAPSHOTS = [["brotli", "snapshot_brotli.bin"], ["gzip", "snapshot.bin"]];
+/** @param {string} format */
+const unpacker = (format) => { try { return new DecompressionStream(/** @type {CompressionFormat} */ (format)); } catch { return null; } };
+const [FORMAT, SNAPSHOT] = SNAPSHOTS.find(([format]) => unpacker(format)) ?? ["gzip", "snapshot.bin"];
+/** The end of an archive, which alone is an archive without anything. */
+const EMPTY_ARCHIVE = Uint8Array.from({ length: 22 }, (_, at) => [0x50, 0x4b, 5, 6][at] ?? 0);
 /** Where Pyodide has its standard library. */
 const LIBRARY = "/lib/python313.zip";
-
-/** @typedef {{downlink?: number, rtt?: number, saveData?: boolean}} Line  what the browser says about the line: megabits per second, milliseconds */
-/** Megabits per second below which the plain start comes first, which has fewer bytes. */
-const SLOW = 8;
-/** Round trips, in milliseconds, that Chromium guesses, together with a slow line, until it has measured one. */
-const GUESSED = { least: 75, most: 125 };
+/** Seconds that Python takes to import its modules, which it has in a snapshot. */
+const IMPORTING = 6;
 
 /** The list of packages that Pyodide could install: none. */
 export const LOCK = {
@@ -52,6 +57,7 @@ export const WARM_UP = [
   ["complete", "UI_WRTE"],
   ["to_send"],
   ["stop_motors"],
+  ["give_up"],
   ["tick", 0.05],
   ["turn"],
 ];
@@ -61,58 +67,78 @@ const PREPARED = new Set(WARM_UP.map(([call]) => call));
 export const isPrepared = (call) => PREPARED.has(call);
 
 /**
- * Starts Python.
+ * Starts Python. Is rejected with a sentence if a file does not come that it needs.
  *
- * @param {Load} load
  * @param {URL} site  the folder of the page
- * @param {Line} line
- * @param {(missing: number) => void} tell  takes the number of bytes that are still to come
+ * @param {boolean} saveData  whether fewer bytes are better than a quick start
+ * @param {(progress: import("./loads.js").Progress) => void} tell
  * @returns {Promise<Started>}
  */
-export const start = async (load, site, line, tell) => {
-  if (await isSlow(line, site) && !await globalThis.caches?.match(new URL(SNAPSHOT, site))) return startPlain(load, site, tell);
-  try {
-    return await startSnapshot(load, site, tell);
-  } catch (error) {
-    console.warn(`The snapshot cannot be loaded: ${error}`);
-    return startPlain(load, site, tell);
-  }
+export const start = async (site, saveData, tell) => {
+  const loads = new Loads(site, SIZES, tell);
+  loads.expect(PYODIDE, ASM, WASM, SNAPSHOT);
+  /** @type {{loadPyodide: Load}} */
+  const { loadPyodide } = await loads.import(PYODIDE);
+  await loads.import(ASM);
+  const isPlain = (saveData || isSlow(site)) && !await globalThis.caches?.match(new URL(SNAPSHOT, site));
+  const begin = async () => {
+    if (isPlain) return startPlain(loadPyodide, loads, site);
+    try {
+      return await startSnapshot(loadPyodide, loads, site);
+    } catch (error) {
+      console.warn(`The snapshot cannot be loaded: ${error}`);
+      return startPlain(loadPyodide, loads, site);
+    }
+  };
+  // Pyodide waits for ever for a file that does not come.
+  return Promise.race([lackOf(loads, site), begin()]);
 };
 
-/** Returns whether fewer bytes are better than a quick start. @param {Line} line @param {URL} site */
-const isSlow = async ({ saveData = false, downlink = SLOW, rtt = 0 }, site) => {
-  if (saveData) return true;
-  if (downlink >= SLOW) return false;
-  return rtt < GUESSED.least || rtt > GUESSED.most || await measured(site) < SLOW;
+/** Has Pyodide load its files so that they are counted. Is rejected if one of them does not come. @param {Loads} loads @param {URL} site @returns {Promise<never>} */
+const lackOf = (loads, site) => new Promise((_, reject) => {
+  globalThis.fetch = async (/** @type {any} */ url) => {
+    const file = String(url).slice(site.href.length);
+    if (file === NO_MODULES) return new Response(EMPTY_ARCHIVE);
+    try {
+      const { answer, whole } = await loads.fetch(file);
+      whole.catch(reject);
+      return answer;
+    } catch (error) {
+      reject(error);
+      throw error;
+    }
+  };
+});
+
+/** Returns whether the bytes that the snapshot has more take longer than to import the modules. @param {URL} site */
+const isSlow = (site) => {
+  const [entry] = /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByName(new URL(ASM, site).href));
+  if (!entry) return false;
+  // WebKit does not tell what was transferred. Text is packed into a quarter, where a server does that.
+  const bytes = entry.encodedBodySize || SIZES[ASM] / 4, seconds = (entry.responseEnd - entry.responseStart) / 1000;
+  return ((SIZES[SNAPSHOT] - SIZES[MODULES]) / bytes) * seconds > IMPORTING;
 };
 
-/** Returns the megabits per second at which a file comes that is needed anyway. @param {URL} site */
-const measured = async (site) => {
-  const begun = performance.now();
-  const bytes = await (await fetched(ASM, site)).arrayBuffer();
-  return (bytes.byteLength * 8) / 1000 / (performance.now() - begun);
-};
-
-/** @typedef {(load: Load, site: URL, tell: (missing: number) => void) => Promise<Started>} Start */
+/** @typedef {(load: Load, loads: Loads, site: URL) => Promise<Started>} Start */
 
 /** @type {Start} */
-const startPlain = async (load, site, tell) => {
-  tell(size(MODULES, WASM, ASM));
+const startPlain = async (load, loads, site) => {
+  loads.expect(WASM, MODULES);
   const python = await load({ ...settings(site), stdLibURL: new URL(MODULES, site).href });
   return { bridge: python.pyimport("bridge"), started: "plain", write: writer(python), packages: Promise.resolve() };
 };
 
 /** @type {Start} */
-const startSnapshot = async (load, site, tell) => {
-  const others = size(WASM, ASM);
-  tell(others + size(SNAPSHOT));
-  const snapshot = inflated(await fetched(SNAPSHOT, site), (missing) => tell(others + missing));
+const startSnapshot = async (load, loads, site) => {
+  const snapshot = loads.fetch(SNAPSHOT).then(inflated);
+  snapshot.catch(() => {});
   const python = await load({ ...settings(site), stdLibURL: new URL(NO_MODULES, site).href, _loadSnapshot: snapshot });
   // It would be kept as long as the page, and is as large as Python's memory.
   Reflect.deleteProperty(/** @type {any} */ (python)._api.config, "_loadSnapshot");
   const bridge = python.pyimport("bridge");
-  const packages = fetched(MODULES, site).then(async (found) => {
-    python.FS.writeFile(LIBRARY, new Uint8Array(await found.arrayBuffer()));
+  const packages = loads.fetch(MODULES).then(async ({ answer, whole }) => {
+    await whole;
+    python.FS.writeFile(LIBRARY, new Uint8Array(await answer.arrayBuffer()));
     python.runPython("import importlib; importlib.invalidate_caches()");
   });
   bridge.begin();
@@ -125,29 +151,12 @@ const writer = (python) => (path, bytes) => python.FS.writeFile(path, bytes, { c
 /** @param {URL} site */
 const settings = (site) => ({ indexURL: new URL("pyodide/", site).href, packageBaseUrl: site.href, lockFileContents: LOCK });
 
-/** @param {string} name @param {URL} site */
-const fetched = async (name, site) => {
-  const answer = await fetch(new URL(name, site));
-  if (!answer.ok || !answer.body) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
-  return answer;
-};
-
 /** The number of bytes of each large file, which the build knows. @type {Record<string, number>} */
 const SIZES = /* @SIZES@ */ {};
-/** @param {string[]} names */
-const size = (...names) => names.reduce((sum, name) => sum + SIZES[name], 0);
 
-/** Returns the unpacked snapshot. @param {Response} answer @param {(missing: number) => void} tell */
-const inflated = async ({ body }, tell) => {
-  let missing = size(SNAPSHOT);
-  const counting = new TransformStream({
-    /** @param {Uint8Array} chunk @param {TransformStreamDefaultController} to */
-    transform: (chunk, to) => {
-      missing -= chunk.length;
-      tell(missing);
-      to.enqueue(chunk);
-    },
-  });
-  const stream = /** @type {ReadableStream} */ (body).pipeThrough(counting).pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+/** Returns the unpacked snapshot. @param {import("./loads.js").Load} load */
+const inflated = async ({ answer, whole }) => {
+  const stream = /** @type {ReadableStream} */ (answer.body).pipeThrough(/** @type {DecompressionStream} */ (unpacker(FORMAT)));
+  const [found] = await Promise.all([new Response(stream).arrayBuffer(), whole]);
+  return new Uint8Array(found);
 };

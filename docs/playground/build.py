@@ -13,7 +13,6 @@ import json
 import re
 import shutil
 import subprocess
-import zipfile
 from collections.abc import Iterator
 from importlib.resources import files
 from pathlib import Path
@@ -44,7 +43,8 @@ PAGE = ("*.html", "*.css", "*.js")
 SERVICE_WORKER = "service-worker.js"
 BRICK = ("brick.css", "brick.js", "icon.svg")
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
-LARGE = ("python.zip", "snapshot.bin", *(f"pyodide/{name}" for name in PYODIDE[1:]))
+SNAPSHOTS = ("snapshot.bin", "snapshot_brotli.bin")
+LARGE = ("python.zip", *SNAPSHOTS, *(f"pyodide/{name}" for name in PYODIDE))
 """Files whose size the page says while they are loaded."""
 VEGA = ("vega/build/vega.min.js", "vega-lite/build/vega-lite.min.js", "vega-interpreter/build/vega-interpreter.js")
 LICENCES = "spdx-license-list"
@@ -101,8 +101,6 @@ def build(site: Path, npm: Path) -> None:
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
     shutil.copy(CONFORMANCE, site / CONFORMANCE.name)
     pack(site / "python.zip", modules / "pyodide" / "python_stdlib.zip")
-    with zipfile.ZipFile(site / "none.zip", "w"):
-        pass
     for name in DECODER:
         (site / name).write_text(EXPORTED[name](), encoding="utf-8")
     _make_snapshot(modules / "pyodide", site)
@@ -128,7 +126,7 @@ def _preloads() -> Iterator[str]:
 def _make_snapshot(pyodide: Path, site: Path) -> None:
     """Has Python start in node, and keeps its memory."""
     command = [shutil.which("node") or "node", str(HERE / "make_snapshot.mjs"), str(pyodide)]
-    command += [str(site / "python.zip"), str(site / "snapshot.bin"), *map(str, READ)]
+    command += [str(site / "python.zip"), *(str(site / name) for name in SNAPSHOTS), *map(str, READ)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         said = " ".join(done.stderr.split())[-600:]

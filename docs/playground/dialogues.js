@@ -1,7 +1,7 @@
 // The dialogues of a log or a capture: a table of those on the page, and the timeline of all, which is drawn on request.
 
 import { find, inside, make } from "./elements.js";
-import { counted, source } from "./reading.js";
+import { counted, home } from "./reading.js";
 
 const table = find("dialogues", HTMLDetailsElement), timeline = find("timeline", HTMLDetailsElement);
 
@@ -35,7 +35,7 @@ const showTimeline = async () => {
   row.append(bar, said);
   place.append(row);
   /** @type {string | null} */
-  const chart = await source().follow(({ part, count }) => {
+  const chart = await home().follow(({ part, count }) => {
     bar.value = part;
     said.textContent = `Reading: ${counted(count)}`;
   }, "timeline");

@@ -2,7 +2,7 @@
 
 import { replace } from "./editor.js";
 import { find, make } from "./elements.js";
-import { source } from "./reading.js";
+import { home } from "./reading.js";
 import { follow, state } from "./state.js";
 
 /** @typedef {{sentence: string, verdict: string, kind: "none" | "takes" | "refuses", severity: "" | "error" | "warning"}} Headline  see bridge/headline.py */
@@ -27,7 +27,7 @@ export const clearRemedies = () => row.replaceChildren();
 export const offerRemedies = async () => {
   const text = input.value;
   /** @type {{label: string, text: string}[]} */
-  const found = state().file ? [] : await source().ask("remedies");
+  const found = state().file ? [] : await home().ask("remedies");
   if (text !== input.value) return;
   row.replaceChildren(...found.map((remedy) => {
     const button = make("button", remedy.label);

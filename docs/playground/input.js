@@ -148,7 +148,7 @@ find("start").querySelector(".row")?.append(...EXAMPLES.map(([title, text]) => {
   button.onclick = () => edit(text);
   return button;
 }));
-fetch(new URL("./lesson.json", import.meta.url)).then((found) => found.json()).then((/** @type {{title: string, frame: string}[]} */ found) => {
+fetch(new URL("./lesson.json", import.meta.url)).then((found) => found.json(), () => []).then((/** @type {{title: string, frame: string}[]} */ found) => {
   for (const { title, frame } of found) {
     const option = make("option", title);
     option.value = frame;

@@ -1,17 +1,34 @@
-// Makes the snapshot of Python's memory: `node make_snapshot.mjs PYODIDE MODULES SNAPSHOT CAPTURE...`, in the build.
+// Makes the snapshot of Python's memory: `node make_snapshot.mjs PYODIDE MODULES GZIP BROTLI CAPTURE...`, in the build.
 // PYODIDE is the folder of the npm package, MODULES the archive that packing.py makes; each CAPTURE is read once, so that
 // the modules are there that read others.
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { basename, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { LOCK, WARM_UP } from "./boot.js";
 
-const [folder, modules, snapshot, ...captures] = process.argv.slice(2).map((each) => resolve(each));
+const [folder, modules, gzip, brotli, ...captures] = process.argv.slice(2).map((each) => resolve(each));
 const { loadPyodide } = await import(pathToFileURL(`${folder}/pyodide.mjs`).href);
-// The same modules give nearly the same snapshot; the columns of code in tracebacks would be a tenth of it.
-const env = { HOME: "/home/pyodide", PYTHONHASHSEED: "0", PYTHONNODEBUGRANGES: "1" };
+// The same modules give nearly the same snapshot; the columns of code in tracebacks would be a tenth of it, docstrings another one.
+const env = { HOME: "/home/pyodide", PYTHONHASHSEED: "0", PYTHONNODEBUGRANGES: "1", PYTHONOPTIMIZE: "2" };
+/** Overwrites the memory that is free between what is used. */
+const TIDY = `
+import gc, linecache
+linecache.clearcache()
+gc.collect()
+def overwrite():
+    end = max(map(id, gc.get_objects()))
+    kept, size = [], 1 << 20
+    while size > 1:
+        zeros = bytes(size)
+        if id(zeros) < end:
+            kept.append(zeros)
+        else:
+            size = size * 7 // 8
+overwrite()
+del overwrite
+`;
 const python = await loadPyodide({
   indexURL: `${folder}/`, packageBaseUrl: `${folder}/`, lockFileContents: LOCK, stdLibURL: modules, env, _makeSnapshot: true,
 });
@@ -24,5 +41,9 @@ for (const capture of captures) {
 }
 bridge.look("");
 bridge.destroy();
-python.runPython("import gc, linecache; linecache.clearcache(); gc.collect()");
-writeFileSync(snapshot, gzipSync(python.makeMemorySnapshot(), { level: 9 }));
+python.runPython(TIDY);
+const memory = python.makeMemorySnapshot();
+writeFileSync(gzip, gzipSync(memory, { level: 9 }));
+// A better quality takes minutes.
+const params = { [constants.BROTLI_PARAM_QUALITY]: 7, [constants.BROTLI_PARAM_LGWIN]: constants.BROTLI_MAX_WINDOW_BITS };
+writeFileSync(brotli, brotliCompressSync(memory, { params }));

@@ -1,5 +1,13 @@
 // Python in a worker: questions to it, the parts of an answer as they come, and what it says by itself.
 
+/** The scripts of the worker. */
+const SCRIPTS = ["worker.js", "boot.js", "loads.js"];
+/** Milliseconds without a byte after which the page says what it waits for. */
+const PATIENCE = 15_000;
+
+/** @param {string} file */
+const isThere = (file) => fetch(new URL(file, import.meta.url)).then(({ ok }) => ok, () => false);
+
 /**
  * @typedef {object} Said  what Python says by itself; one of these
  * @property {string} [status]
@@ -15,25 +23,42 @@ export class Python {
   #waiting = new Map();
   #count = 0;
   #worker;
+  #hear;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
 
-  /**
-   * @param {string} name  "brick" for the one that has the bricks, "reader" for one that only reads
-   * @param {(said: Said) => void} hear  takes what it says by itself
-   */
-  constructor(name, hear) {
-    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name });
-    const { downlink, rtt, saveData } = Reflect.get(navigator, "connection") ?? {};
-    this.#worker.postMessage({ line: { downlink, rtt, saveData } });
-    this.#worker.onerror = (event) => hear({ failed: event.message || "worker.js cannot be loaded" });
+  /** @param {(said: Said) => void} hear  takes what it says by itself */
+  constructor(hear) {
+    this.#hear = hear;
+    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    this.#worker.postMessage({ saveData: Reflect.get(navigator, "connection")?.saveData === true });
+    this.#worker.onerror = async ({ message }) => {
+      clearTimeout(this.#timer);
+      const found = await Promise.all(SCRIPTS.map(isThere));
+      hear({ failed: message || `${SCRIPTS[found.indexOf(false)] ?? "worker.js"} does not come` });
+    };
+    this.#watch({ missing: 0, file: "worker.js" });
     this.#worker.onmessage = ({ data }) => {
       const asked = this.#waiting.get(data.number);
-      if (!asked) hear(data);
+      if (data.progress) this.#watch(data.progress);
+      else if (!asked) {
+        clearTimeout(this.#timer);
+        hear(data);
+      }
       else if (data.part !== undefined) asked.hear?.(data.part);
       else {
         this.#waiting.delete(data.number);
         if (data.error === undefined) asked.resolve(data.answer); else asked.reject(new Error(data.error));
       }
     };
+  }
+
+  /** Says how far the start is, and if nothing more comes, what is waited for. @param {import("./loads.js").Progress} progress */
+  #watch({ missing, file }) {
+    clearTimeout(this.#timer);
+    this.#hear({ status: missing ? `Loading Python: ${(missing / 1e6).toFixed(1)} MB to come …` : "Starting Python …" });
+    const late = `Nothing has come for 15 seconds; ${file} is still waited for. Is the network there, and does it let this file through?`;
+    if (file) this.#timer = setTimeout(() => this.#hear({ status: late }), PATIENCE);
   }
 
   /** Calls a function of bridge. @param {string} call @param {unknown[]} given @returns {Promise<any>} */
@@ -65,6 +90,7 @@ export class Python {
 
   /** Ends it, whatever it is doing. Its questions are never answered. */
   end() {
+    clearTimeout(this.#timer);
     this.#worker.terminate();
     this.#waiting.clear();
   }

@@ -1,4 +1,4 @@
-// Who reads the input: the Python that has the bricks what is short, a second one what takes long. Only the newest question counts.
+// Python, which reads the input step by step, so that it answers other questions between them. Only the newest input counts.
 
 import { Python } from "./python.js";
 import { change, state } from "./state.js";
@@ -6,32 +6,30 @@ import { change, state } from "./state.js";
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {(answer: Answer, isMore: boolean, isWhole: boolean) => void} Show  `isMore`: of the same input as the one before */
 
-/** Characters or bytes that the Python of the bricks reads itself, at once. */
+/** Characters or bytes that are read in one step, as a rule. */
 export const LITTLE = 4000;
-/** Milliseconds: until a long text that is typed is read; until reading is said; until its progress is shown. */
-const PAUSE = 400, SOON = 300, LATE = 1000;
+/** Milliseconds: until a long text that is typed is read; until reading is said; until its progress is shown; that a step may take to end. */
+const PAUSE = 400, SOON = 300, LATE = 1000, STUCK = 1500;
 const READING = "Reading …";
 
 /**
- * The pythons, and what they are doing.
+ * Python, and what it is doing; `turn` is the number of the newest input.
  *
  * @type {{
- *   home: Python | null, reader: Python | null, source: Python | null, busy: Python | null,
- *   turn: number, atHome: Promise<void>, current: Promise<void>,
+ *   python: Python | null, isBusy: boolean, turn: number, short: Promise<void>, current: Promise<void>,
  *   hear: (said: import("./python.js").Said) => void, show: Show, clear: () => void, restarted: () => void,
  * }}
  */
 const work = {
-  home: null, reader: null, source: null, busy: null,
-  turn: 0, atHome: Promise.resolve(), current: Promise.resolve(),
+  python: null, isBusy: false, turn: 0, short: Promise.resolve(), current: Promise.resolve(),
   hear: () => {}, show: () => {}, clear: () => {}, restarted: () => {},
 };
 
-/** The Python that has the bricks. @returns {Python} */
-export const home = () => (work.home ??= new Python("brick", (said) => work.hear(said)));
+/** Returns Python, which starts at the first call. @returns {Python} */
+export const home = () => (work.python ??= new Python((said) => work.hear(said)));
 
-/** The one that has read what is shown. @returns {Python} */
-export const source = () => work.source ?? home();
+/** Returns the number of the newest input. */
+export const newest = () => work.turn;
 
 /** Is resolved when the newest input is read. @returns {Promise<void>} */
 export const current = () => work.current;
@@ -40,10 +38,10 @@ export const current = () => work.current;
  * Starts Python.
  *
  * @param {object} takes
- * @param {(said: import("./python.js").Said) => void} takes.hear  what the Python of the bricks says by itself
+ * @param {(said: import("./python.js").Said) => void} takes.hear  what Python says by itself
  * @param {Show} takes.show  an answer, or what there is of it so far
  * @param {() => void} takes.clear  that the old answer is wrong, and a new one will take a while
- * @param {() => void} takes.restarted  that the Python of the bricks was ended
+ * @param {() => void} takes.restarted  that Python was ended, and the bricks with it
  */
 export const begin = (takes) => {
   Object.assign(work, takes);
@@ -51,7 +49,7 @@ export const begin = (takes) => {
 };
 
 /**
- * Has Python read something, and shows what it says as it comes.
+ * Has Python read something, and shows what it says as it comes. It gives up what it was reading.
  *
  * @param {number} size  how much it is
  * @param {boolean} isTyped  whether more may be typed at once
@@ -60,22 +58,19 @@ export const begin = (takes) => {
  */
 export const look = (size, isTyped, call, ...given) => {
   const mine = ++work.turn, isLong = size > LITTLE;
-  if (work.busy && work.busy === work.reader) endReader();
   change({ isStale: true });
   if (isLong) work.clear();
   const reading = (async () => {
     if (isLong && isTyped) await new Promise((resolve) => { setTimeout(resolve, PAUSE); });
-    else if (!isLong) await work.atHome;
-    if (mine === work.turn) await readBy(isLong ? theReader() : home(), mine, call, given);
+    else if (!isLong) await work.short;
+    if (mine === work.turn) await read(mine, call, given);
   })();
-  if (!isLong) work.atHome = reading;
+  if (!isLong) work.short = reading;
   work.current = reading;
 };
 
-const theReader = () => (work.reader ??= new Python("reader", (said) => { if (said.failed) work.hear(said); }));
-
-/** @param {Python} python @param {number} mine @param {string} call @param {unknown[]} given */
-const readBy = async (python, mine, call, given) => {
+/** @param {number} mine @param {string} call @param {unknown[]} given */
+const read = async (mine, call, given) => {
   const isNow = () => mine === work.turn;
   let isMore = false;
   const soon = setTimeout(() => { if (isNow()) change({ status: READING }); }, SOON);
@@ -83,24 +78,20 @@ const readBy = async (python, mine, call, given) => {
   /** @param {{answer?: Answer, part: number, count: number}} part */
   const hearPart = ({ answer, ...progress }) => {
     if (!isNow()) return;
-    // A part is never taken for the whole.
-    if (!state().status) change({ status: READING });
-    work.source = python;
     if (answer) {
+      // A part is never taken for the whole.
+      if (!state().status) change({ status: READING });
       work.show(answer, isMore, false);
       isMore = true;
     }
     if (state().progress) change({ progress });
   };
-  work.busy = python;
+  work.isBusy = true;
   try {
-    const answer = await python.follow(hearPart, call, ...given);
-    if (isNow()) {
-      work.source = python;
-      work.show(answer, isMore, true);
-    }
+    const answer = await home().follow(hearPart, call, ...given);
+    if (isNow()) work.show(answer, isMore, true);
   } catch (error) {
-    change({ error: `ev3proto has a bug, please report it: ${error instanceof Error ? error.message : error}` });
+    change({ error: error instanceof Error ? error.message : String(error) });
   }
   clearTimeout(soon);
   clearTimeout(late);
@@ -108,31 +99,25 @@ const readBy = async (python, mine, call, given) => {
 };
 
 const endReading = () => {
-  work.busy = null;
+  work.isBusy = false;
   change({ status: "", progress: null, isStale: false });
-};
-const endReader = () => {
-  work.reader?.end();
-  work.reader = work.busy = null;
 };
 
 /** Ends what is being read. What was read so far stays. */
-export const cancel = () => {
-  if (!work.busy) return;
+export const cancel = async () => {
+  if (!work.isBusy) return;
   work.turn++;
-  if (work.busy === work.reader) {
-    const count = state().progress?.count;
-    change({ note: count ? `Cancelled after ${counted(count)}.` : "Cancelled." });
-    endReader();
-  } else {
-    change({ note: "Cancelled. The virtual brick was switched off and on." });
-    work.restarted();
-    work.home?.end();
-    work.home = work.source = null;
-    home();
-  }
-  work.atHome = work.current = Promise.resolve();
+  const python = home(), count = state().progress?.count;
+  change({ note: count ? `Cancelled after ${counted(count)}.` : "Cancelled." });
   endReading();
+  const isStuck = await Promise.race([python.ask("give_up"), new Promise((resolve) => { setTimeout(resolve, STUCK, true); })]);
+  if (!isStuck || python !== work.python) return;
+  change({ note: "Cancelled. The virtual brick was switched off and on." });
+  work.restarted();
+  python.end();
+  work.python = null;
+  work.short = work.current = Promise.resolve();
+  home();
 };
 
 /** Returns a number of frames in words. @param {number} count */

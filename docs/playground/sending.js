@@ -2,7 +2,7 @@
 
 import { showEffect } from "./effect.js";
 import { find, saveAs } from "./elements.js";
-import { current, home, source } from "./reading.js";
+import { current, home } from "./reading.js";
 import { change, flash, state } from "./state.js";
 
 /**
@@ -13,7 +13,7 @@ import { change, flash, state } from "./state.js";
 export const sending = (real) => {
   find("send").onclick = async () => {
     await current();
-    const given = await source().ask("to_send");
+    const given = await home().ask("to_send");
     real.forget();
     const isReal = state().connection !== "none";
     const { isSent, error } = isReal ? await real.send(given) : outcome(await home().ask("play", JSON.stringify(given)));
@@ -28,7 +28,7 @@ export const sending = (real) => {
 find("download").onclick = async () => {
   await current();
   /** @type {{program: string | null}} */
-  const { program } = await source().ask("to_send");
+  const { program } = await home().ask("to_send");
   const bytes = Uint8Array.from(program?.match(/../g) ?? [], (each) => parseInt(each, 16));
   saveAs("program.rbf", new Blob([bytes]));
 };

@@ -9,6 +9,15 @@ const CACHE = `${PREFIX}${VERSION}`;
 
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
+/** Returns whether this browser uses a file: it takes one of two snapshots, as boot.js does. @param {string} file */
+const isUsed = (file) => {
+  try {
+    return file !== "snapshot.bin" || !new DecompressionStream(/** @type {any} */ ("brotli"));
+  } catch {
+    return file !== "snapshot_brotli.bin";
+  }
+};
+
 /** Where a file may be found, the nearest place first. @type {((url: URL) => Promise<Response | undefined>)[]} */
 const PLACES = [
   (url) => caches.match(url),
@@ -39,7 +48,7 @@ const keep = async (cache, file) => {
 worker.addEventListener("install", (event) => {
   const keepAll = async () => {
     const cache = await caches.open(CACHE);
-    for (const file of Object.keys(FILES)) await keep(cache, file);
+    for (const file of Object.keys(FILES).filter(isUsed)) await keep(cache, file);
   };
   event.waitUntil(keepAll());
 });

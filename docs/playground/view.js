@@ -8,7 +8,7 @@ import { colour } from "./paint.js";
 import { MOST_BYTES, NOTHING, partOf, rowAt, rowsByFrame, targetOf } from "./places.js";
 import { showRows } from "./dialogues.js";
 import { showPager } from "./pager.js";
-import { source } from "./reading.js";
+import { home, newest } from "./reading.js";
 import { change, state } from "./state.js";
 
 /** @typedef {import("./answer.js").Answer} Answer */
@@ -59,7 +59,7 @@ export const view = (answer, isMore) => {
   now.shown = isThere ? { ...answer, lines, frames, rows, page: page.first ? page : answer.page } : answer;
   readBox.hidden = !now.shown.lines.length;
   change({ headline: answer.headline });
-  if (!isMore || JSON.stringify(findings) !== JSON.stringify(answer.findings)) showFindings(answer.findings, (code) => source().ask("explain", code));
+  if (!isMore || JSON.stringify(findings) !== JSON.stringify(answer.findings)) showFindings(answer.findings, (code) => home().ask("explain", code));
   if (isThere) showPager(now.shown.page, answer.count, turnTo); else showPage();
   if (isSame) tell(now.frame);
 };
@@ -82,10 +82,10 @@ const showPage = () => {
 
 /** Shows the page that has a frame. Returns whether it does. @param {number} frame */
 const turnTo = async (frame) => {
-  const python = source(), { findings } = now.shown;
+  const input = newest();
   /** @type {import("./answer.js").Page} */
-  const page = await python.ask("page", frame);
-  if (findings.length !== now.shown.findings.length && python !== source()) return false;
+  const page = await home().ask("page", frame);
+  if (input !== newest()) return false;
   now.shown = { ...now.shown, ...page };
   showPage();
   treeBox.scrollTop = 0;
@@ -165,7 +165,7 @@ const tell = async (frame) => {
   if (frame < 0 || now.shown.isProgram) return;
   const hex = hexOf(frame);
   /** @type {About} */
-  const about = now.shown.about ?? await source().ask("about", hex);
+  const about = now.shown.about ?? await home().ask("about", hex);
   if (frame !== now.frame || hex !== hexOf(frame)) return;
   now.about = about;
   // Of a single frame, the headline says it.

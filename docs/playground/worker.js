@@ -1,23 +1,45 @@
-// A worker that runs Python: the one that is named "brick" also lets the time of the bricks pass.
+// The worker that runs Python, which reads and lets the time of the bricks pass.
 
 import { isPrepared, start } from "./boot.js";
-import { loadPyodide } from "./pyodide/pyodide.mjs";
+import { Lack } from "./loads.js";
 
-/** Milliseconds between two steps of the bricks' clock. */
-const PERIOD = 50;
+/** Milliseconds between two steps of the bricks' clock: while something happens on them, and while nothing does. */
+const PERIOD = 50, REST = 1000;
 
 /** @param {unknown} message */
 const say = (message) => postMessage(message);
 
-/** @param {number} missing */
-const tell = (missing) => say({ status: `Loading Python: ${(missing / 1e6).toFixed(1)} MB to come …` });
 /** @type {Promise<import("./boot.js").Started>} */
 let started;
 
-/** @param {import("./boot.js").Line} line */
-const begin = (line) => {
-  started = start(loadPyodide, new URL(".", import.meta.url), line, tell);
-  started.then(live, (error) => say({ failed: error instanceof Error ? error.message : String(error) }));
+/** @param {boolean} saveData */
+const begin = async (saveData) => {
+  let isOver = false;
+  started = start(new URL(".", import.meta.url), saveData, (progress) => { if (!isOver) say({ progress }); });
+  try {
+    const python = await started;
+    isOver = true;
+    say({ ready: python.started });
+    beat(python, performance.now());
+    await python.packages;
+  } catch (error) {
+    isOver = true;
+    say({ failed: error instanceof Error ? error.message : String(error) });
+  }
+};
+
+/** @type {ReturnType<typeof setTimeout>} */
+let timer;
+let before = 0;
+
+/** Lets the time pass, again and again. @param {import("./boot.js").Started} python */
+const beat = (python, now = performance.now()) => {
+  const { bridge } = python, news = bridge.tick((now - before) / 1000);
+  before = now;
+  if (news) say({ brick: JSON.parse(news) });
+  bridge.turn();
+  clearTimeout(timer);
+  timer = setTimeout(() => beat(python), bridge.rests() ? REST : PERIOD);
 };
 
 /** @param {string} frame */
@@ -48,10 +70,10 @@ const followed = async ({ bridge, write }, number, call, given) => {
 };
 
 /** @typedef {{number: number, call: string, given: unknown[], isFollowed: boolean}} Question */
-/** @param {MessageEvent<Question & {line?: import("./boot.js").Line}>} event */
-onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
-  if (line) {
-    begin(line);
+/** @param {MessageEvent<Question & {saveData?: boolean}>} event */
+onmessage = async ({ data: { saveData, number, call, given, isFollowed } }) => {
+  if (saveData !== undefined) {
+    begin(saveData);
     return;
   }
   const python = await started, { bridge, packages } = python;
@@ -59,21 +81,9 @@ onmessage = async ({ data: { line, number, call, given, isFollowed } }) => {
   try {
     if (!isPrepared(call)) await packages;
     say({ number, answer: isFollowed ? await followed(python, number, call, given) : JSON.parse(bridge[call](...given, ...more)) });
+    beat(python);
   } catch (error) {
-    say({ number, error: error instanceof Error ? error.message : String(error) });
+    const said = error instanceof Error ? error.message : String(error);
+    say({ number, error: error instanceof Lack ? said : `ev3proto has a bug, please report it: ${said}` });
   }
-};
-
-/** @param {import("./boot.js").Started} start */
-const live = ({ bridge, started: how }) => {
-  say({ ready: how });
-  if (self.name !== "brick") return;
-  let before = performance.now();
-  setInterval(() => {
-    const now = performance.now();
-    const news = bridge.tick((now - before) / 1000);
-    before = now;
-    if (news) say({ brick: JSON.parse(news) });
-    bridge.turn();
-  }, PERIOD);
 };

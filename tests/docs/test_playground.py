@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import base64
-import gzip
 import json
 import os
 import random
 import re
-import shutil
 import struct
 import subprocess
 import sys
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from html.parser import HTMLParser
 from pathlib import Path
@@ -28,7 +26,6 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select
 from support.browser import chromium, complaints, emulated, scrolls_sideways
 from support.cli import run_ev3proto
-from support.effort import effort
 from support.pictures import PLAYGROUND, open_playground
 from support.playground import Page, fragment, put_fakes, served_site
 
@@ -1113,61 +1110,6 @@ def test_the_page_is_kept_for_use_without_a_network(built: Path, tmp_path: Path)
         page.open(fragment(TONE))
         page.wait(lambda: page.text("tree"))
         assert page.run("return caches.keys().then((names) => names.length)") == 1
-
-
-# The start
-
-
-def test_python_starts_from_a_snapshot(page: Page) -> None:
-    assert page.run("return document.body.dataset.started") == "snapshot"
-
-
-def _without_snapshot(site: Path) -> None:
-    (site / "snapshot.bin").unlink()
-
-
-def _with_half_a_snapshot(site: Path) -> None:
-    data = (site / "snapshot.bin").read_bytes()
-    (site / "snapshot.bin").write_bytes(data[: len(data) // 2])
-
-
-def _with_the_snapshot_of_another_python(site: Path) -> None:
-    memory = bytearray(gzip.decompress((site / "snapshot.bin").read_bytes()))
-    memory[16] ^= 1  # a byte of Pyodide's build number, which its snapshots begin with
-    (site / "snapshot.bin").write_bytes(gzip.compress(memory, 1))
-
-
-HARMS = (_with_the_snapshot_of_another_python, _without_snapshot, _with_half_a_snapshot)
-
-
-@pytest.mark.parametrize("harm", HARMS[: effort(1, 3)], ids=lambda it: it.__name__)
-def test_without_its_snapshot_python_starts_all_the_same(
-    built: Path, tmp_path: Path, harm: Callable[[Path], None]
-) -> None:
-    shutil.copytree(built / "playground", tmp_path / "site" / "playground")
-    harm(tmp_path / "site" / "playground")
-    with chromium(tmp_path / "profile") as browser, served_site(tmp_path / "site") as address:
-        page = Page(browser, address)
-        page.open(fragment(TONE))
-        assert page.run("return document.body.dataset.started") == "plain"
-        page.wait(lambda: page.text("tree") == printed("decode", TONE))
-        page.read(LOG)
-        page.click("send")
-        page.wait(lambda: "UI_READ.GET_VBATT" in page.text("talks"))
-
-
-def test_on_a_slow_line_the_snapshot_comes_for_the_next_visit(address: str, tmp_path: Path) -> None:
-    with chromium(tmp_path / "profile") as browser:
-        slow = "Object.defineProperty(navigator, 'connection', {value: {downlink: 2, saveData: false}})"
-        browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": slow})
-        page = Page(browser, address)
-        page.open()
-        assert page.run("return document.body.dataset.started") == "plain"
-        page.wait(
-            lambda: page.run("return navigator.serviceWorker.ready.then((it) => it.active.state)") == "activated", 120
-        )
-        page.open()
-        assert page.run("return document.body.dataset.started") == "snapshot"
 
 
 # Its files

@@ -44,6 +44,7 @@ __all__ = [
     "explain",
     "files",
     "frames_of",
+    "give_up",
     "go_on",
     "gone",
     "heard",
@@ -56,6 +57,7 @@ __all__ = [
     "play",
     "record",
     "remedies",
+    "rests",
     "sent",
     "start",
     "stop_motors",
@@ -126,6 +128,12 @@ def start(name: str, *given: Any) -> str:
 def go_on(number: int) -> str:
     """Does the next step of a job. Returns a report, as JSON: see `Steps`; null if the job was given up."""
     return json.dumps(next(_jobs[number]) if number in _jobs else None)
+
+
+def give_up() -> str:
+    """Ends what takes long."""
+    _jobs.clear()
+    return "null"
 
 
 def _look(text: str, expression: str = "") -> Steps:
@@ -221,6 +229,11 @@ def _virtual() -> VirtualBrick:
 def tick(seconds: float) -> str:
     """Advances the clock of the virtual brick. Returns what is new on it; empty if nothing is."""
     return _virtual().tick(seconds)
+
+
+def rests() -> bool:
+    """Returns whether nothing happens on the bricks by itself."""
+    return _virtual().rests and not (_real is not None and _real.is_open)
 
 
 def act(action: str) -> str:

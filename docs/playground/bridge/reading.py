@@ -56,7 +56,7 @@ MOST_WARNINGS = 20
 TYPED = "input"
 """The name of what was typed, in places."""
 
-OFTEN = 0.2
+OFTEN = 0.05
 """Seconds between two steps of what takes long."""
 
 FIRST = 0.3

@@ -7,11 +7,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ev3proto.brick import Brick
+from ev3proto.brick.running_programs import RUNNING
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.schema.header import frame_size
 
-MOST_STEP = 0.25
+MOST_STEP = 1.0
 """Maximum seconds that the brick's clock advances per tick: a page that was asleep does not catch up."""
 
 STRETCH = 0.02
@@ -31,12 +32,17 @@ class VirtualBrick:
         self._brick.plug_core_set()
         self._watcher = Watcher(lambda: self._brick.microseconds / 1_000_000)
         self._changes = Changes(self._brick, self._watcher.open(), tuple)
+        self.rests = False
+        """Whether nothing happens by itself: no command or program runs, nothing moves or sounds."""
 
     def tick(self, seconds: float) -> str:
         """Advances the brick's clock. Returns what is new on it as JSON; empty if nothing is."""
         for _, reply in self._brick.advance_all(min(seconds, MOST_STEP)):
             self._watcher.frame(self, reply, False)
         new = self._changes.take()
+        brick = self._brick
+        is_running = any(program is not None and program.status == RUNNING for program in brick.machine.slots)
+        self.rests = not (new or is_running or brick.is_busy or brick.is_computing or brick.equipment.sound.playing)
         return json.dumps(new) if new else ""
 
     def act(self, action: str) -> str:

@@ -1,0 +1,28 @@
+// Says which file of the page itself does not come. It is no module: those start only when all of them are there.
+
+/** Milliseconds after which a file is said to be late. */
+const LATE = 15_000;
+
+/** @param {string} url @param {string} what */
+const tellOf = (url, what) => {
+  const file = url.slice(new URL(".", location.href).href.length);
+  const sentence = `${file} ${what}. Reload the page; if that does not help, its server lacks the file, or the network blocks it.`;
+  const tell = () => {
+    if (document.body.dataset.lacks) return;
+    for (const id of ["status", "late"]) /** @type {HTMLElement} */ (document.getElementById(id)).textContent = sentence;
+    document.body.dataset.lacks = file;
+  };
+  if (document.readyState === "loading") addEventListener("DOMContentLoaded", tell); else tell();
+};
+
+/** The files of the page. @type {() => string[]} */
+const files = () => [...document.querySelectorAll("link[href]:not([rel=icon]), script[src]")].map((each) => Reflect.get(each, "href") ?? Reflect.get(each, "src"));
+
+addEventListener("error", ({ target }) => {
+  const url = target instanceof HTMLLinkElement ? target.href : target instanceof HTMLScriptElement ? target.src : "";
+  if (files().includes(url)) tellOf(url, "does not come");
+}, true);
+setTimeout(() => {
+  const there = new Set(performance.getEntriesByType("resource").map(({ name }) => name)), late = files().find((each) => !there.has(each));
+  if (late && !document.body.dataset.begun) tellOf(late, "has not come for 15 seconds; it is still waited for");
+}, LATE);

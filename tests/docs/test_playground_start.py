@@ -1,0 +1,204 @@
+"""How the playground starts: what is seen first, what is loaded, and what is said where something does not come."""
+
+from __future__ import annotations
+
+import gzip
+import re
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+from selenium.webdriver import Chrome
+from support.browser import chromium
+from support.effort import effort
+from support.playground import Page, fragment
+
+pytest_plugins = ["support.playground_fixtures"]
+
+TONE = "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|"
+LOG = "Sent 0x|08:00|2A:00|00|04:00|81:01:60|\nRecv 0x|07:00|2A:00|02|66:66:F6:40|\n"
+SHORT = """
+    const plain = setTimeout;
+    setTimeout = (then, time, ...given) => plain(then, time === 15000 ? 300 : time, ...given)"""
+"""Makes 15 seconds short."""
+
+
+class Line:
+    """What happens to files on their way.
+
+    lacking  those that are not there
+    held     those that are waited for, as long as they are here
+    slow     the seconds that a file takes after its first bytes
+    instead  other bytes of a file
+    """
+
+    def __init__(self) -> None:
+        self.lacking: set[str] = set()
+        self.held: set[str] = set()
+        self.slow: dict[str, float] = {}
+        self.instead: dict[str, bytes] = {}
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """The site as a folder, of which a browser keeps nothing."""
+
+    def __init__(self, *given: Any, line: Line, **others: Any) -> None:
+        self._line = line
+        super().__init__(*given, **others)
+
+    def do_GET(self) -> None:
+        """Answers as the line lets it."""
+        name = self.path.removeprefix("/playground/")
+        while name in self._line.held:
+            time.sleep(0.02)
+        file = Path(self.directory) / "playground" / name
+        if name in self._line.lacking or not file.is_file():
+            self.send_error(404)
+            return
+        data = self._line.instead.get(name, file.read_bytes())
+        self.send_response(200)
+        self.send_header("Content-Type", self.guess_type(name))
+        self.send_header("Content-Length", str(len(data)))
+        self.send_header("Cache-Control", "no-store")
+        self.end_headers()
+        self.wfile.write(data[:1000])
+        time.sleep(self._line.slow.get(name, 0))
+        self.wfile.write(data[1000:])
+
+    def log_message(self, format: str, *arguments: object) -> None:
+        """Says nothing."""
+
+
+@contextmanager
+def served(site: Path) -> Iterator[tuple[str, Line]]:
+    """Serves the site. Yields the address of the playground, and the line."""
+    line = Line()
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(site), line=line)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/playground/index.html", line
+        line.held.clear()
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def visitor(built: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Page, Line]]:
+    """A page that is not opened yet, in a browser of its own that keeps nothing, and the line to it."""
+    forgetful = "Object.defineProperty(navigator, 'serviceWorker', {value: undefined})"
+    with (
+        chromium(tmp_path_factory.mktemp("browser") / "profile") as browser,
+        served(built) as (address, line),
+        before_the_page(browser, forgetful),
+    ):
+        yield Page(browser, address), line
+
+
+@contextmanager
+def before_the_page(browser: Chrome, script: str) -> Iterator[None]:
+    """Has pages begin with a script."""
+    put = browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+    yield
+    browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", put)
+
+
+SCRIPTS = ("worker.js", "boot.js", "loads.js")
+PYODIDE = tuple(f"pyodide/pyodide.{name}" for name in ("mjs", "asm.js", "asm.wasm"))
+
+
+def test_each_file_that_does_not_come_is_named(visitor: tuple[Page, Line], built: Path) -> None:
+    page, line = visitor
+    index = (built / "playground" / "index.html").read_text(encoding="utf-8")
+    own = re.findall(r'(?:href|src)="([\w-]+\.(?:css|m?js))"', index)
+    assert {"playground.css", "playground.js", "rows.js", "ev3-decode.mjs"} <= set(own)
+    own.remove("missing.js")
+    for name in own:
+        line.lacking = {name}
+        page.open(fragment(TONE), wait=False)
+        page.wait(lambda name=name: page.text("late").startswith(f"{name} does not come. Reload the page"))
+        assert page.is_shown("late")
+        assert name.endswith(".css") or page.text("status") == page.text("late")
+    for name in (*SCRIPTS, *PYODIDE):
+        line.lacking = {name}
+        page.open(fragment(TONE), wait=False)
+        page.wait(lambda name=name: page.text("status").startswith(f"Python cannot be loaded: {name} does not come"))
+        # What needs no Python is there all the same.
+        assert page.input == TONE
+        assert "SOUND.TONE" in page.text("tree")
+    # Without the snapshot, Python needs its modules.
+    line.lacking = {"snapshot.bin", "snapshot_brotli.bin", "python.zip"}
+    page.open(fragment(TONE), wait=False)
+    page.wait(lambda: "python.zip does not come (404" in page.text("status"))
+
+
+def test_a_file_that_is_late_is_named_and_may_still_come(visitor: tuple[Page, Line]) -> None:
+    page, line = visitor
+    with before_the_page(page.browser, SHORT):
+        for name in ("worker.js", "pyodide/pyodide.asm.wasm"):
+            line.lacking, line.held = set(), {name}
+            page.open(fragment(TONE), wait=False)
+            page.wait(lambda name=name: f"{name} " in page.text("status") and "15 seconds" in page.text("status"))
+            line.held = set()
+            page.wait(lambda: page.is_ready and page.text("status") == "")
+        # The driver waits for a page as a whole, but not for one inside another.
+        line.held = {"view.js"}
+        page.browser.get(page.address.replace("index.html", "licences.txt"))
+        page.run(
+            "document.body.append(document.createElement('iframe')); frames[0].location = arguments[0]", page.address
+        )
+        said = "return frames[0].document.getElementById('status')?.textContent"
+        page.wait(lambda: str(page.run(said)).startswith("view.js has not come for 15 seconds"))
+        line.held = set()
+        page.wait(lambda: "Loading Python" in page.run(said))
+
+
+def test_all_that_is_loaded_is_counted(visitor: tuple[Page, Line]) -> None:
+    page, line = visitor
+    line.lacking = set()
+    watch = """
+        addEventListener('DOMContentLoaded', () => {
+            const status = document.getElementById('status');
+            window.said = [];
+            new MutationObserver(() => said.push(status.textContent)).observe(status, {childList: true});
+        })"""
+    with before_the_page(page.browser, watch):
+        page.open()
+    said: list[str] = page.run("return said")
+    left = [float(found[1]) for each in said if (found := re.match(r"Loading Python: ([\d.]+) MB to come", each))]
+    assert left == sorted(left, reverse=True)
+    assert left[0] > 14
+    assert left[-1] < 3, left
+    assert "Starting Python …" in said
+
+
+def test_python_starts_from_a_snapshot_or_without_it_all_the_same(visitor: tuple[Page, Line], built: Path) -> None:
+    page, line = visitor
+    snapshot = (built / "playground" / "snapshot.bin").read_bytes()
+    other = bytearray(gzip.decompress(snapshot))
+    other[16] ^= 1  # a byte of Pyodide's build number, which its snapshots begin with
+    harmed = [gzip.compress(other, 1), b"", snapshot[: len(snapshot) // 2]]
+    for data in (snapshot, *harmed[: effort(1, 3)]):
+        line.instead = {"snapshot.bin": data}
+        page.open(fragment(TONE))
+        assert page.run("return document.body.dataset.started") == ("snapshot" if data == snapshot else "plain")
+        page.wait(lambda: page.text("frame") == TONE)
+        page.read(LOG)
+        page.click("send")
+        page.wait(lambda: "UI_READ.GET_VBATT" in page.text("talks"))
+    line.instead = {}
+
+
+def test_on_a_slow_line_the_snapshot_comes_for_the_next_visit(built: Path, tmp_path: Path) -> None:
+    with chromium(tmp_path / "profile") as browser, served(built) as (address, line):
+        line.slow = {"pyodide/pyodide.asm.js": 2}
+        page = Page(browser, address)
+        page.open()
+        assert page.run("return document.body.dataset.started") == "plain"
+        active = "return navigator.serviceWorker.ready.then((it) => it.active.state)"
+        page.wait(lambda: page.run(active) == "activated", 120)
+        page.open()
+        assert page.run("return document.body.dataset.started") == "snapshot"

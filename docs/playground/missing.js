@@ -8,7 +8,8 @@ const tellOf = (url, what) => {
   const file = url.slice(new URL(".", location.href).href.length);
   const sentence = `${file} ${what}. Reload the page; if that does not help, its server lacks the file, or the network blocks it.`;
   const tell = () => {
-    if (document.body.dataset.lacks) return;
+    // Of a page that was opened as a file, the browser loads no module: that is said where nothing else is.
+    if (document.body.dataset.lacks || location.protocol === "file:") return;
     for (const id of ["status", "late"]) /** @type {HTMLElement} */ (document.getElementById(id)).textContent = sentence;
     document.body.dataset.lacks = file;
   };

@@ -1,4 +1,4 @@
-// Says which file of the page itself does not come. It is no module: those start only when all of them are there.
+// Says which file of the page itself does not come. A classic script: modules start only when all of them are there.
 
 /** Milliseconds after which a file is said to be late. */
 const LATE = 15_000;

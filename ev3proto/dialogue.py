@@ -14,7 +14,8 @@ from ev3proto.bounded import DEFAULT_MEMORY, Budget, dropper
 from ev3proto.messages import FieldValue, Message, SystemCommand, SystemReply
 from ev3proto.semantics.pairing import MOST_PENDING, MOST_PER_KEY, Pairing, pairing_key
 from ev3proto.semantics.replies import Value, ValueType, reply_values, values_of
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
+from ev3proto.semantics.transfers import ends, is_complete, piece_of, size_of
+from ev3proto.tables.system import SYSTEM_BY_NUMBER
 
 MOST_BEGUN = 4096
 """Maximum number of unanswered BEGIN_... commands; the same as in a conversation."""
@@ -46,7 +47,7 @@ class Transfer:
     @property
     def is_complete(self) -> bool:
         """Whether everything was transferred."""
-        return self.size is not None and self.transferred >= self.size
+        return is_complete(self.transferred, self.size)
 
 
 class Transfers:
@@ -79,14 +80,13 @@ class Transfers:
             return None
         if entry.transfer == "begin":
             path = str(message.fields.get("path", ""))
-            size = message.fields.get("size")
-            transfer = Transfer(entry.name, path, size if isinstance(size, int) else None)
+            transfer = Transfer(entry.name, path, size_of(message))
             self._remove(self._begun.pop(message.counter, None))
             self._begun[message.counter] = transfer
             self._add(transfer, message.counter)
             if len(self._begun) > MOST_BEGUN:
                 self._remove(self._begun.pop(next(iter(self._begun))))
-            transfer.transferred = _moved_by(message)
+            transfer.transferred = len(piece_of(message))
             return transfer
         number = _number(message.fields.get("handle"))
         return self._moved(self._open.get(number), number, message)
@@ -115,13 +115,11 @@ class Transfers:
                 handle = request.fields.get("handle")
             number = _number(handle)
             transfer = self._open.get(number)
-            # The brick frees a handle when its file is closed, complete or failed.
-            if entry.transfer == "close" or reply.is_error or reply.status is SystemStatus.END_OF_FILE:
+            if ends(reply):
                 self._remove(self._open.pop(number, None))
         if transfer is not None:
-            for name in ("size", "list_size"):
-                if name in reply.fields:
-                    transfer.size = _number(reply.fields[name])
+            size = size_of(reply)
+            transfer.size = transfer.size if size is None else size
         return self._moved(transfer, number, reply)
 
     def _moved(self, transfer: Transfer | None, number: int, message: SystemCommand | SystemReply) -> Transfer | None:
@@ -130,7 +128,7 @@ class Transfers:
         A complete transfer takes no more data, since the brick has closed it. The handle then belongs to another one,
         whose beginning was not seen.
         """
-        size = _moved_by(message)
+        size = len(piece_of(message))
         if transfer is None or not size:
             return transfer
         if transfer.is_complete:
@@ -148,12 +146,6 @@ class Transfers:
     def _remove(self, transfer: Transfer | None) -> None:
         if self._budget is not None and transfer is not None:
             self._budget.remove(transfer)
-
-
-def _moved_by(message: SystemCommand | SystemReply) -> int:
-    """Returns the number of bytes of a file or listing in a message."""
-    pieces = [message.fields.get(name, b"") for name in ("data", "list")]
-    return sum(len(piece) for piece in pieces if isinstance(piece, bytes | str))
 
 
 def _number(value: FieldValue | None) -> int:

@@ -19,22 +19,19 @@ from enum import StrEnum
 from pathlib import Path
 
 from ev3proto.capture.dialogues import is_error
-from ev3proto.capture.moving import LISTINGS, UPLOADS, entry_of, piece_of, unanswered_after
+from ev3proto.capture.moving import unanswered_after
 from ev3proto.capture.record import CaptureError, Event, Record
 from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.errors import counted
 from ev3proto.messages import SystemCommand, SystemReply
+from ev3proto.semantics.transfers import LISTINGS, UPLOADS, ends, entry_of, piece_of, shortage, size_of
 from ev3proto.tables.encoding import STRING_CODING
-from ev3proto.tables.system import FieldKind, SystemDeclaration, SystemStatus
+from ev3proto.tables.system import FieldKind, SystemDeclaration
 from ev3proto.temporary import PREFIX, temporary_folder
 
 MOST_FILES = 10_000
 """Maximum number of files from a capture."""
-
-LONGER = "it has {size} bytes, but {done} were moved"
-INCOMPLETE = "{done} of {size} bytes were captured"
-"""What is said of a file with another size than announced."""
 
 PART = ".part"
 """Suffix of the name of an incomplete file."""
@@ -197,14 +194,10 @@ class _Moving:
             return f"{counted(self.bytes, 'byte')} sent, the last piece never answered"
         if self.outcome is FileState.REFUSED:
             return f"the brick refused it: {self.failure}"
+        if self.failure is None:
+            return shortage(self.bytes, self.size)
         moved = f"{self.bytes} of {self.size} bytes" if self.size is not None else f"{self.bytes} bytes of it"
-        if self.failure is not None:
-            return f"{moved} were moved, then the brick said {self.failure}"
-        if self.size is not None and self.bytes > self.size:
-            return LONGER.format(size=self.size, done=self.bytes)
-        if self.size is not None:
-            return INCOMPLETE.format(size=self.size, done=self.bytes)
-        return f"{moved} were captured"
+        return f"{moved} were moved, then the brick said {self.failure}"
 
     def result(self, file: Path | None) -> RecoveredFile:
         return RecoveredFile(
@@ -373,10 +366,9 @@ class _Files:
             path = f"handle {handle}, its path was not captured"
             moving = self._new(record, path, (f"handle-{handle}",), direction)
             if moving is not None:
-                size = message.fields.get("size", message.fields.get("list_size"))
-                moving.stated = size if isinstance(size, int) else None
+                moving.stated = size_of(message)
                 self._loose[key] = moving
-        if isinstance(message, SystemReply) and message.status is SystemStatus.END_OF_FILE:
+        if isinstance(message, SystemReply) and ends(message):
             self._loose.pop(key, None)
         return moving
 

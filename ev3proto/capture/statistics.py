@@ -19,10 +19,11 @@ from typing import Any, NamedTuple
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
-from ev3proto.capture.moving import UPLOADS, begins, unanswered_after
+from ev3proto.capture.moving import unanswered_after
 from ev3proto.capture.record import NANOSECONDS, OLDEST_DATE, Announcement, Event, Record, Skipped, utc
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
+from ev3proto.semantics.transfers import UPLOADS, step_of
 from ev3proto.tables.system import SYSTEM_BY_NUMBER
 
 MOST_LISTED = 20
@@ -375,7 +376,7 @@ class Statistics:
         moving = self._transfers.get(id(transfer))
         if moving is None:
             if len(self._transfers) >= MOST_TRANSFERS:
-                self._transfers_left_out += begins(record.message)
+                self._transfers_left_out += step_of(record.message) == "begin"
                 return
             moving = _Moving(transfer, record.time_ns, record.time_ns, record.number, record.label or record.peer)
             self._transfers[id(transfer)] = moving

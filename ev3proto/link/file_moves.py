@@ -8,19 +8,18 @@ from __future__ import annotations
 import hashlib
 import posixpath
 import secrets
-import time
 from collections.abc import Callable, Generator
 from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.compose import command
 from ev3proto.link.errors import LinkError, SystemCommandError, TransferError
-from ev3proto.messages import DirectCommand, FieldValue, SystemCommand, SystemReply
+from ev3proto.messages import DirectCommand, SystemCommand, SystemReply
 from ev3proto.ops import file, memory_usage
 from ev3proto.semantics.replies import values_of
+from ev3proto.semantics.transfers import is_complete, piece_of, size_of
 from ev3proto.system import (
     begin_download,
     begin_upload,
-    close_filehandle,
     continue_list_files,
     continue_upload,
     create_dir,
@@ -39,13 +38,10 @@ Progress = Callable[[int, int], None]
 """Called with the bytes moved so far and their total."""
 
 MOST_FILE = 1 << 28
-"""Maximum size in bytes of files and listings: more than fits into any brick's RAM."""
+"""Maximum size of a file in bytes: more than fits into any brick's RAM."""
 
-MOST_NAMES = 100_000
-"""Maximum number of names in a folder, more than fit on a brick; further ones are not read."""
-
-PATIENCE = 10.0
-"""Seconds without a new name after which a listing counts as endless."""
+MOST_LISTING = 1 << 24
+"""Maximum size of a listing in bytes: a brick has fewer names."""
 
 COPYING = 120.0
 """Seconds to wait at least for the reply to a direct command: the brick copies megabytes."""
@@ -134,7 +130,7 @@ def _written(data: bytes, part: str, path: str, progress: Progress) -> Task[None
     for piece in pieces(handle, data):
         reply = yield piece
         _check(reply, path)
-        done += len(_bytes(piece.fields["data"]))
+        done += len(piece_of(piece))
         progress(done, len(data))
 
 
@@ -161,15 +157,14 @@ def _whole(data: bytes, path: str) -> Task[File | None]:
 
 def upload(path: str, progress: Progress = nothing_moved) -> Task[bytes]:
     """Reads a file from the brick, and compares its MD5 with the listed one. Raises as `download` does."""
-    data = yield from _read(begin_upload(path), continue_upload, "size", "data", path, progress)
+    data = yield from _read(begin_upload(path), continue_upload, MOST_FILE, path, progress)
     _compare(data, (yield from _listing_of(path)), path, path)
     return data
 
 
 def list_dir(path: str) -> Task[Listing]:
-    """Lists a folder. Raises SystemCommandError, and TransferError if it is endless."""
-    names = _Names()
-    data = yield from _read(list_files(path), continue_list_files, "list_size", "list", path, nothing_moved, names.feed)
+    """Lists a folder. Raises SystemCommandError, and TransferError if the listing is not whole."""
+    data = yield from _read(list_files(path), continue_list_files, MOST_LISTING, path, nothing_moved)
     return read_listing(data)
 
 
@@ -198,67 +193,25 @@ def read_listing(data: bytes) -> Listing:
 
 
 def _read(
-    begin: SystemCommand,
-    go_on: Callable[[int], SystemCommand],
-    size_field: str,
-    data_field: str,
-    path: str,
-    progress: Progress,
-    watch: Callable[[bytes], str | None] = lambda _piece: None,
+    begin: SystemCommand, go_on: Callable[[int], SystemCommand], most: int, path: str, progress: Progress
 ) -> Task[bytes]:
-    """Reads a file or a listing in pieces; `watch` is given each, and returns why to stop."""
+    """Reads a file or a listing of at most some bytes in pieces. What is left open is ended by the caller."""
     reply = yield begin
-    handle = _begun(reply, path)
-    size = reply.fields.get(size_field, 0)
-    assert isinstance(size, int)
-    data = bytearray(_bytes(reply.fields.get(data_field, b"")))
-    watch(bytes(data))
-    if size > MOST_FILE:
-        yield close_filehandle(handle)
+    handle, size, data = _begun(reply, path), size_of(reply) or 0, bytearray(piece_of(reply))
+    if size > most:
         raise TransferError(f"{path}: the brick reports {size} bytes, which is more than a brick can store")
     progress(min(len(data), size), size)
-    while len(data) < size:
+    while not is_complete(len(data), size):
         if reply.status is SystemStatus.END_OF_FILE:
             raise TransferError(f"{path}: the brick announced {size} bytes and sent {len(data)}; copy it again")
         reply = yield go_on(handle)
         _check(reply, path)
-        piece = _bytes(reply.fields.get(data_field, b""))
+        piece = piece_of(reply)
         if not piece and reply.status is not SystemStatus.END_OF_FILE:
-            yield close_filehandle(handle)
             raise TransferError(f"{path}: the brick stopped sending after {len(data)} of {size} bytes")
         data += piece
-        reason = watch(piece)
-        if reason is not None:
-            yield close_filehandle(handle)
-            raise TransferError(f"{path}: {reason}")
         progress(min(len(data), size), size)
-    if reply.status is not SystemStatus.END_OF_FILE:
-        # After a full last piece the file may still be open; a brick that has closed it refuses this.
-        yield close_filehandle(handle)
     return bytes(data[:size])
-
-
-class _Names:
-    """The names in a listing so far, to notice one without end."""
-
-    def __init__(self) -> None:
-        self._lines: set[bytes] = set()
-        self._rest = b""
-        self._newest = time.monotonic()
-
-    def feed(self, piece: bytes) -> str | None:
-        """Takes the next piece of the listing. Returns why it is endless, or None."""
-        *lines, self._rest = (self._rest + piece).split(b"\n")
-        before = len(self._lines)
-        self._lines.update(lines)
-        now = time.monotonic()
-        if len(self._lines) > before:
-            self._newest = now
-        if len(self._lines) > MOST_NAMES:
-            return f"the brick lists more than {MOST_NAMES:,} names"
-        if now - self._newest > PATIENCE:
-            return f"the brick has listed no new name for {PATIENCE:g} s"
-        return None
 
 
 def _listing_of(path: str) -> Task[Listing]:
@@ -296,14 +249,6 @@ def _begun(reply: SystemReply, path: str) -> int:
 def _check(reply: SystemReply, path: str) -> None:
     if reply.is_error and reply.status is not SystemStatus.END_OF_FILE:
         raise SystemCommandError(reply, path)
-
-
-def _bytes(value: FieldValue) -> bytes:
-    """Returns the contents of a field: a listing is text, a file's piece bytes."""
-    if isinstance(value, str):
-        return value.encode(STRING_CODING)
-    assert isinstance(value, bytes), "contents are not a number"
-    return value
 
 
 def _is_hex(text: str) -> bool:

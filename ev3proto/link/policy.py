@@ -17,8 +17,8 @@ from ev3proto.link.transfers import OpenTransfers, is_of, next_of
 from ev3proto.link.whitelist import with_types_kept
 from ev3proto.messages import DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import parse
+from ev3proto.semantics.transfers import entry_of, step_of
 from ev3proto.tables.declaration import Effect
-from ev3proto.tables.system import SYSTEM_BY_NUMBER
 
 PATIENCE = 15.0
 """Seconds after which a reply counts as lost; a command that reads takes less than 10."""
@@ -106,23 +106,12 @@ class Policy:
         self._written.clear()
 
 
-def _transfer_of(message: Message) -> str | None:
-    entry = SYSTEM_BY_NUMBER.get(message.number) if isinstance(message, SystemCommand) else None
-    return None if entry is None else entry.transfer
-
-
-def begins_transfer(message: Message) -> bool:
-    """Returns whether a command opens a file or folder."""
-    return _transfer_of(message) == "begin"
-
-
 def _is_later(message: Message) -> TypeGuard[SystemCommand]:
     """Returns whether a command names the handle of a transfer."""
-    return _transfer_of(message) in ("continue", "close")
+    return step_of(message) in ("continue", "close")
 
 
 def _is_reading(message: Message) -> TypeGuard[SystemCommand]:
     """Returns whether a command is one of a transfer that reads."""
-    if not isinstance(message, SystemCommand) or _transfer_of(message) is None:
-        return False
-    return Effect.READS in SYSTEM_BY_NUMBER[message.number].effects
+    entry = entry_of(message)
+    return entry is not None and step_of(message) is not None and Effect.READS in entry.effects

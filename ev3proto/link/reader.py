@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 
 from ev3proto.link.file_moves import read_listing
-from ev3proto.link.transfers import OpenTransfers, is_listing, next_of
+from ev3proto.link.transfers import OpenTransfers, next_of
 from ev3proto.link.whitelist import is_own
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.fields import REPLIES
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import build_frame
+from ev3proto.semantics.transfers import LISTINGS, is_complete, piece_of, size_of
 from ev3proto.system import begin_upload, continue_list_files, continue_upload, list_files
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME, MessageType
@@ -64,17 +65,18 @@ class Reader:
         status = SystemStatus.SUCCESS
         if not self._rest and not self._transfers:
             self.handles.clear()
-            status = SystemStatus.END_OF_FILE if self._sent >= self._size else SystemStatus.UNKNOWN_ERROR
+            is_whole = is_complete(self._sent, self._size)
+            status = SystemStatus.END_OF_FILE if is_whole else SystemStatus.UNKNOWN_ERROR
         return _answer(command, status, handle, self._size, piece)
 
     def _begin(self, name: str, path: str) -> Generator[bytes, bytes | None, SystemStatus | None]:
         """Opens a file or folder. Returns what the brick has against it."""
-        if not is_listing(name):
+        if name not in LISTINGS:
             # The firmware opens a folder as a file, too, so the folder above has to list it.
             status = yield from self._find(*path.rpartition("/")[::2])
             if status is not None:
                 return status
-        status = yield from self._open(list_files if is_listing(name) else begin_upload, path)
+        status = yield from self._open(list_files if name in LISTINGS else begin_upload, path)
         if status is None:
             self.handles[FIRST_HANDLE + self._next] = name
             self._next = (self._next + 1) % _HANDLES
@@ -101,7 +103,7 @@ class Reader:
         reply = yield from self._exchange(begin(path))
         if reply is None or reply.is_error:
             return SystemStatus.UNKNOWN_ERROR if reply is None else reply.status or SystemStatus.UNKNOWN_ERROR
-        self._size, self._sent = int(reply.fields.get("list_size", reply.fields.get("size", 0))), 0
+        self._size, self._sent = size_of(reply) or 0, 0
         return None
 
     def read_on(self) -> Generator[bytes, bytes | None, None]:
@@ -130,15 +132,14 @@ class Reader:
     def _exchange_next(self) -> Generator[bytes, bytes | None, None]:
         """Reads the next piece of what is open."""
         ((handle, name),) = self._transfers.items()
-        yield from self._exchange((continue_list_files if is_listing(name) else continue_upload)(handle))
+        yield from self._exchange((continue_list_files if name in LISTINGS else continue_upload)(handle))
 
     def _exchange(self, command: SystemCommand) -> Generator[bytes, bytes | None, SystemReply | None]:
         data = yield command.build()
         reply = None if data is None else parse(data, strict=False)
         self._transfers.learn(command, reply)
         found = reply if isinstance(reply, SystemReply) and reply.number == command.number else None
-        piece = b"" if found is None else found.fields.get("data", found.fields.get("list", b""))
-        self._rest += piece if isinstance(piece, bytes) else str(piece).encode(STRING_CODING)
+        self._rest += b"" if found is None else piece_of(found)
         return found
 
 

@@ -10,7 +10,7 @@ from typing import Protocol
 from ev3proto.brick.servers.host import Line
 from ev3proto.capture.record import Record
 from ev3proto.link.harm import Harm
-from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk, begins_transfer
+from ev3proto.link.policy import PATIENCE, Outcome, Policy, Talk
 from ev3proto.link.records import Records
 from ev3proto.link.refusals import refused
 from ev3proto.link.reply_stream import ReplyStream
@@ -22,6 +22,7 @@ from ev3proto.schema.frame_buffer import OutOfStep
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import foreign
 from ev3proto.semantics.pairing import Pairing, pairing_key
+from ev3proto.semantics.transfers import step_of
 from ev3proto.stream import Decoder
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import MAX_FRAME
@@ -186,7 +187,7 @@ class Passing:
 
 
 def _begins(client: Client) -> bool:
-    return begins_transfer(client.waiting[0].message)
+    return step_of(client.waiting[0].message) == "begin"
 
 
 def _dropped(part: OutOfStep, pending: bytes) -> str:

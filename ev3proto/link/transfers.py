@@ -6,8 +6,8 @@ from collections.abc import Generator, Mapping
 from typing import TypeAlias
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
+from ev3proto.semantics.transfers import LISTINGS, ends, step_of
 from ev3proto.system import close_filehandle, continue_list_files
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 Ending: TypeAlias = Generator[SystemCommand, Message | None, None]
 """What ends the transfers that are open, and is sent the replies."""
@@ -15,13 +15,6 @@ Ending: TypeAlias = Generator[SystemCommand, Message | None, None]
 _HANDLES = range(64)
 _MOST_PIECES = 10_000
 """Pieces of a listing that is read to its end; the largest folder has fewer."""
-
-_LIST = "LIST_FILES"
-
-
-def is_listing(name: str) -> bool:
-    """Returns whether a system command begins or continues the listing of a folder."""
-    return name.endswith(_LIST)
 
 
 def is_of(command: SystemCommand, transfers: Mapping[int, str]) -> bool:
@@ -32,7 +25,7 @@ def is_of(command: SystemCommand, transfers: Mapping[int, str]) -> bool:
         return False
     if name.startswith("CONTINUE_"):
         return name.removeprefix("CONTINUE_") == begun.removeprefix("BEGIN_")
-    return not is_listing(begun)
+    return begun not in LISTINGS
 
 
 class OpenTransfers(dict[int, str]):
@@ -44,9 +37,9 @@ class OpenTransfers(dict[int, str]):
         A listing is read to its end, as the firmware would close another descriptor.
         """
         for handle, name in list(self.items()):
-            pieces = _MOST_PIECES if is_listing(name) else 1
+            pieces = _MOST_PIECES if name in LISTINGS else 1
             while handle in self and pieces:
-                command = (continue_list_files if is_listing(name) else close_filehandle)(handle)
+                command = (continue_list_files if name in LISTINGS else close_filehandle)(handle)
                 self.learn(command, (yield command))
                 pieces -= 1
             self.pop(handle, None)
@@ -56,19 +49,18 @@ class OpenTransfers(dict[int, str]):
 
         Without a reply it may have been the last piece, after which the handle is another client's.
         """
-        entry = SYSTEM_BY_NUMBER.get(command.number) if isinstance(command, SystemCommand) else None
-        if entry is None or entry.transfer is None:
+        step = step_of(command)
+        if step is None or not isinstance(command, SystemCommand):
             return
-        assert isinstance(command, SystemCommand)
-        is_open = _is_success(command, reply)
-        named = reply.fields if entry.transfer == "begin" and isinstance(reply, SystemReply) else command.fields
-        handle = named.get("handle")
+        answer = reply if isinstance(reply, SystemReply) and reply.number == command.number else None
+        is_open = answer is not None and not ends(answer)
+        handle = (answer if step == "begin" and answer is not None else command).fields.get("handle")
         if not isinstance(handle, int) or handle not in _HANDLES:
             return
-        if is_open and entry.transfer == "begin":
-            self[handle] = entry.name
-        elif not is_open or entry.transfer == "close":
+        if not is_open:
             self.pop(handle, None)
+        elif step == "begin":
+            self[handle] = str(command.command)
 
 
 def next_of(ending: Ending, reply: Message | None) -> SystemCommand | None:
@@ -77,9 +69,3 @@ def next_of(ending: Ending, reply: Message | None) -> SystemCommand | None:
         return ending.send(reply)
     except StopIteration:
         return None
-
-
-def _is_success(command: SystemCommand, reply: Message | None) -> bool:
-    if not isinstance(reply, SystemReply):
-        return False
-    return reply.number == command.number and reply.status is SystemStatus.SUCCESS

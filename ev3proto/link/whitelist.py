@@ -10,13 +10,13 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from ev3proto.link.transfers import is_listing
 from ev3proto.messages import Argument, DaisyCommand, DirectCommand, Message, Operation, SystemCommand
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import MOST_IN_REPLY
 from ev3proto.semantics.facts import facts_of
 from ev3proto.semantics.footprint import footprint, whole_number
 from ev3proto.semantics.judgement import judged
+from ev3proto.semantics.transfers import LISTINGS
 from ev3proto.tables.declaration import Effect, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, STRING_CODING, TEXT, limits_of
 from ev3proto.tables.enumerations import TYPE
@@ -64,7 +64,7 @@ def _in_system(command: SystemCommand) -> Iterator[Blame]:
     entry, path = SYSTEM_BY_NUMBER[command.number], str(command.fields.get("path", "")).encode(STRING_CODING)
     if Effect.READS not in entry.effects:
         yield Blame(entry.name, entry.effects)
-    elif "path" in command.fields and not (is_own(path) and (is_listing(entry.name) or is_allowed(path))):
+    elif "path" in command.fields and not (is_own(path) and (entry.name in LISTINGS or is_allowed(path))):
         yield Blame(entry.name, entry.effects, " with this path")
     elif not command.wants_reply:
         yield Blame(entry.name, entry.effects, _SILENT)

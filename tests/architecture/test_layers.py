@@ -138,6 +138,7 @@ FACES = {
             "pairing",
             "readings",
             "replies",
+            "transfers",
         ),
         *("drafts.functions", "drafts.placeholders"),
     ),

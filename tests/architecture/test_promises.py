@@ -59,7 +59,7 @@ LIMITS = [
     f"{kinds.MOST_RAW // MIB} MiB",
     f"{MAX_IMAGE // MIB} MiB, 60 bytes of memory a byte to show or check it",
     f"{MOST_OF_A_CODE:,}",
-    f"{file_moves.MOST_FILE // MIB} MiB",
+    f"{file_moves.MOST_FILE // MIB} MiB; {file_moves.MOST_LISTING // MIB} MiB",
     f"{files.MOST_FILES:,}",
     f"{statistics.MOST_PEERS}; {statistics.MOST_TRANSFERS}; {statistics.MOST_LISTED}",
     f"{collecting.MOST_MARKS:,}, about 150 MiB",

@@ -16,7 +16,8 @@ from contextlib import suppress
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote
+from urllib.parse import quote, urljoin
+from urllib.request import urlopen
 
 import pytest
 from selenium.common.exceptions import TimeoutException
@@ -830,6 +831,23 @@ def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
     page.click("allow")
     page.wait(lambda: "handle" in page.text("answer"))
     assert page.fact("sent")[-1][10:12] == "92"
+    page.click("disconnect")
+    page.wait(lambda: page.connection == "none")
+    assert page.fact("sent")[-1][10:12] == "98"
+
+
+def test_a_file_that_is_read_is_closed_before_disconnecting(page: Page) -> None:
+    # A file of 2,000 bytes, of which the page reads 10.
+    path = b"../prjs/x/long.rtf\0"
+    for body in (b"\x92\xd0\x07\0\0" + path, b"\x93\0" + bytes(1000), b"\x93\0" + bytes(1000)):
+        frame = (len(body) + 3).to_bytes(2, "little") + b"\x01\0\x01" + body
+        urlopen(urljoin(page.address, "/brick"), frame.hex().encode()).close()
+    begin = b"\x94\x0a\0" + path
+    page.read(((len(begin) + 3).to_bytes(2, "little") + b"\x2a\0\x01" + begin).hex(" "))
+    page.connect("usb")
+    page.click("send")
+    page.wait(lambda: "handle" in page.text("answer"))
+    assert page.fact("sent")[-1][10:12] == "94"
     page.click("disconnect")
     page.wait(lambda: page.connection == "none")
     assert page.fact("sent")[-1][10:12] == "98"

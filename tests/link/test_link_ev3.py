@@ -545,30 +545,15 @@ def test_a_cancelled_command_is_given_up(commands: int) -> None:
         asyncio.run(talk(port))
 
 
-def listing_brick(piece: Callable[[int], bytes], size: int) -> Callable[[bytes, Callable[[bytes], None]], None]:
-    """A brick that sends a listing of this size in these pieces."""
-    count = [0]
-
+def test_a_listing_that_no_brick_has_is_refused() -> None:
     def answer(frame: bytes, send: Callable[[bytes], None]) -> None:
-        number, count[0] = frame[5], count[0] + 1
-        head = {0x99: b"\0" + size.to_bytes(4, "little") + b"\1", 0x9A: b"\0\1", 0x98: b"\0\1"}[number]
-        body = frame[2:4] + b"\x03" + bytes((number,)) + head + (b"" if number == 0x98 else piece(count[0]))
-        send(len(body).to_bytes(2, "little") + body)
+        head = b"\0" + (1 << 27).to_bytes(4, "little") + b"\1" if frame[5] == 0x99 else b"\x08\1"
+        send(reply(frame, frame[5:6] + head, 3))
 
-    return answer
-
-
-def test_a_listing_without_end_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.link.file_moves.MOST_NAMES", 500)
-    monkeypatch.setattr("ev3proto.link.file_moves.PATIENCE", 0.2)
-    for piece, sentence in (
-        (lambda number: b"folder%d/\n" % number, "../prjs: the brick lists more than 500 names"),
-        (lambda _number: b"same/\n", "../prjs: the brick has listed no new name for 0.2 s"),
-    ):
-        with stub_brick(listing_brick(piece, 1 << 27)) as port, stubbed(port) as my_ev3:
-            with pytest.raises(ev3proto.TransferError) as raised:
-                my_ev3.list_dir("../prjs")
-            assert str(raised.value) == sentence
+    with stub_brick(answer) as port, stubbed(port) as my_ev3:
+        with pytest.raises(ev3proto.TransferError) as raised:
+            my_ev3.list_dir("../prjs")
+        assert str(raised.value) == ("../prjs: the brick reports 134217728 bytes, which is more than a brick can store")
 
 
 def test_the_virtual_brick_in_this_process(tmp_path: Path) -> None:

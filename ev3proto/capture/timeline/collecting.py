@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ev3proto.capture.dialogues import RequestReply, dialogues, is_error
-from ev3proto.capture.moving import begins
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped, utc
 from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Bins, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
+from ev3proto.semantics.transfers import step_of
 from ev3proto.text.phrases import argument_meaning, argument_value, command_spans, reply_spans, value_text
 from ev3proto.text.spans import plain_text, visible
 
@@ -228,7 +228,7 @@ class _Collector:
         move = self._moves.get(id(transfer))
         if move is None:
             if len(self._moves) >= MOST_FILES:
-                self._unshown += begins(record.message)
+                self._unshown += step_of(record.message) == "begin"
                 return
             move = self._moves[id(transfer)] = _Move(transfer, brick, at, at)
         move.begin, move.end = min(move.begin, at), max(move.end, at)

@@ -8,13 +8,12 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.capture import files
 from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS, HEXADECIMAL, filter_name
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
-from ev3proto.semantics import pairing
+from ev3proto.semantics import pairing, transfers
 from ev3proto.semantics.advice import LEFT_OVER, LENGTH_SELF
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.semantics.judgement import Wrong
@@ -442,7 +441,7 @@ def _findings() -> Iterator[str]:
         if isinstance(wrong, Wrong) or wrong in (NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT)
     }
     yield _assign("FINDINGS", Rows(named=words))
-    yield _assign("FILES", Table(named={"longer": files.LONGER, "incomplete": files.INCOMPLETE}))
+    yield _assign("FILES", Table(named={"longer": transfers.LONGER, "incomplete": transfers.INCOMPLETE}))
     most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}
     yield _assign("MOST_IN_MAILBOX", Table(named=most))
     yield _assign("SLIPS", Rows(named={"length_self": LENGTH_SELF, "left_over": LEFT_OVER}))

@@ -233,7 +233,7 @@ def tick(seconds: float) -> str:
 
 def rests() -> bool:
     """Returns whether nothing happens on the bricks by itself."""
-    return _virtual().rests and not (_real is not None and _real.is_open)
+    return _virtual().rests and not (_real is not None and _real.connection.is_open)
 
 
 def act(action: str) -> str:

@@ -5,7 +5,13 @@ import { openBluetooth, openUsb, Refused } from "./carriers.js";
 import { filled, find, inside, make, remember, remembered, saveAs } from "./elements.js";
 import { change, follow, state } from "./state.js";
 
-const NONE = "Not connected to a real brick: what you send goes to the virtual one.";
+/** What connects, by the button: what it needs of the browser. */
+const CONNECT = Object.entries({
+  "connect-usb": { carrier: navigator.hid, lack: "This browser has no WebHID, which USB needs." },
+  "connect-bluetooth": { carrier: navigator.serial, lack: "This browser has no Web Serial, which Bluetooth needs." },
+});
+const LACKS = CONNECT.filter(([, { carrier }]) => !carrier).map(([, { lack }]) => ` ${lack}`);
+const NONE = `Not connected to a real brick: what you send goes to the virtual one.${LACKS.join("")}`;
 const MOST_TALKS = 20;
 const ELSEWHERE = "This browser reaches no real brick, as it has neither WebHID nor Web Serial, which Chrome, Edge and Opera on a computer or a"
   + " Chromebook have on pages with https or from localhost.";
@@ -19,9 +25,6 @@ const QUIET = "quiet";
 // Another page may have the right to reach bricks given to it, and could lead clicks to this one.
 const IS_FRAMED = window.top !== window.self;
 const FRAMED = "This page is in a frame of another page, so it connects to no real brick and sends nothing to one. Open it in a tab of its own.";
-
-/** The buttons that connect, each with what it needs of the browser. @type {[id: string, carrier: object | undefined][]} */
-const CONNECT = [["connect-usb", navigator.hid], ["connect-bluetooth", navigator.serial]];
 
 /** @typedef {import("./carriers.js").Wire} Wire */
 /** @typedef {import("./elements.js").Piece} Piece */
@@ -80,7 +83,7 @@ export const realBrick = (python) => {
 
   follow(({ connection, isConnecting }) => {
     document.body.dataset.connection = connection;
-    for (const [id, carrier] of CONNECT) {
+    for (const [id, { carrier }] of CONNECT) {
       find(id).hidden = connection !== "none" || !carrier;
       find(id, HTMLButtonElement).disabled = isConnecting;
     }
@@ -297,7 +300,7 @@ export const realBrick = (python) => {
   };
 
   showState();
-  status(IS_FRAMED ? FRAMED : navigator.hid || navigator.serial ? NONE : ELSEWHERE);
+  status(whyNone() || NONE);
   return {
     take, takeVirtual, carry, send,
     forget: () => talks.clear(),

@@ -126,12 +126,15 @@ class Tour:
         self.wait(lambda: self.text("leds") == "LED_RED")
 
     def it_says_whether_it_reaches_a_brick(self) -> None:
-        """Where the browser has neither WebHID nor Web Serial, a sentence replaces the buttons."""
+        """What the browser lacks, WebHID or Web Serial, is in a sentence in place of the button that needs it."""
         can = self._engine.run("return Boolean(navigator.hid || navigator.serial)")
         said = self.text("brick-status")
         assert ("neither WebHID nor Web Serial" in said) != can, said
-        shown = "return document.querySelector('#connect-usb').getClientRects().length > 0"
-        assert self._engine.run(shown) == can
+        for carrier, needed, name in (("usb", "hid", "WebHID"), ("bluetooth", "serial", "Web Serial")):
+            has = self._engine.run("return Boolean(navigator[arguments[0]])", needed)
+            shown = "return document.getElementById(arguments[0]).getClientRects().length > 0"
+            assert self._engine.run(shown, f"connect-{carrier}") == has, carrier
+            assert (name in said) != has, said
 
     def a_second_visit_starts_from_what_is_kept(self) -> None:
         """The page is there again without a network."""

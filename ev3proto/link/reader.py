@@ -22,7 +22,7 @@ from ev3proto.tables.system import SystemStatus
 
 FIRST_HANDLE, _HANDLES = 64, 128
 
-MOST_KEPT = 1 << 22
+MOST_KEPT = 1 << 20
 """Bytes of a file that are kept for a client while another one reads."""
 
 

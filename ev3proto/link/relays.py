@@ -133,20 +133,23 @@ class Passing:
         for part in self._stream.feed(data):
             if isinstance(part, OutOfStep):
                 self._owner.say_once(_dropped(part, self._stream.pending))
-                continue
-            answer = self._pairing.answered(*pairing_key(part), self._now_ns())
-            sent, note = (None, None) if answer is None else (answer.command, answer.note)
-            if sent is not None and sent.message is self._ended:
-                self._end(parse(part, strict=False))
-                continue
-            if sent is not None and isinstance(sent.message, SystemCommand):
-                sent.client.transfers.learn(sent.message, parse(part, strict=False))
-                if sent.client not in self._owner.clients:
-                    self._leave(sent.client)
-            # Replies to a client that has disconnected are withheld from the next one.
-            for client in self._owner.clients:
-                if sent is None or sent.client is client:
-                    self._owner.answer(sent, client, part, note)
+            elif (answer := self._pairing.answered(*pairing_key(part), self._now_ns())) is None:
+                for client in self._owner.clients:
+                    self._owner.answer(None, client, part)
+            else:
+                self._answered(answer.command, part, answer.note)
+
+    def _answered(self, sent: Sent, frame: bytes, note: str | None) -> None:
+        """Takes a reply. One to a client that has disconnected is withheld from the next one."""
+        reply, is_there = parse(frame, strict=False), sent.client in self._owner.clients
+        if sent.message is self._ended:
+            self._end(reply)
+            return
+        sent.client.transfers.learn(sent.message, reply)
+        if is_there:
+            self._owner.answer(sent, sent.client, frame, note)
+        else:
+            self._leave(sent.client)
 
     def gone(self, client: Client) -> None:
         """Shows the commands of a client that has disconnected."""
@@ -184,10 +187,6 @@ class Passing:
 
     def _now_ns(self) -> int:
         return round(self._owner.now() * _NANOSECONDS)
-
-
-def _begins(client: Client) -> bool:
-    return step_of(client.waiting[0].message) == "begin"
 
 
 def _dropped(part: OutOfStep, pending: bytes) -> str:
@@ -268,17 +267,16 @@ class Guard:
 
     def _turn(self) -> Talk:
         """Begins the next command, or reads on in the file that keeps the first one waiting that begins another."""
-        opener = next((one for one in self._owner.clients if one.policy.has_open), None)
-        first = next((one for one in self._turns if _begins(one)), None)
-        is_blocked = first is not None and opener not in (None, first)
-        ready = next((one for one in self._turns if not _begins(one) or (one is first and not is_blocked)), None)
-        self._has_read_on = is_blocked and (ready is None or not self._has_read_on)
-        if self._has_read_on or ready is None:
-            assert opener is not None
-            return opener.policy.read_on()
-        self._turns.remove(ready)
-        self._sent = ready.waiting[0]
-        return ready.policy.talk(self._sent.message)
+        begins = [one for one in self._turns if step_of(one.waiting[0].message) == "begin"]
+        openers = [one for one in self._owner.clients if one.policy.has_open and begins[:1] not in ([], [one])]
+        # The others keep their order until the first of them begins.
+        ready = [one for one in self._turns if one not in (begins if openers else begins[1:])]
+        self._has_read_on = bool(openers) and not (ready and self._has_read_on)
+        if self._has_read_on:
+            return openers[0].policy.read_on()
+        self._turns.remove(ready[0])
+        self._sent = ready[0].waiting[0]
+        return ready[0].policy.talk(self._sent.message)
 
     def _step(self, reply: bytes | None) -> None:
         """Continues with a reply, until the next frame is sent to the brick."""

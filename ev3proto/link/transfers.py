@@ -12,7 +12,6 @@ from ev3proto.system import close_filehandle, continue_list_files
 Ending: TypeAlias = Generator[SystemCommand, Message | None, None]
 """What ends the transfers that are open, and is sent the replies."""
 
-_HANDLES = range(64)
 _MOST_PIECES = 10_000
 """Pieces of a listing that is read to its end; the largest folder has fewer."""
 
@@ -50,16 +49,17 @@ class OpenTransfers(dict[int, str]):
         Without a reply it may have been the last piece, after which the handle is another client's.
         """
         step = step_of(command)
-        if step is None or not isinstance(command, SystemCommand):
+        if step is None:
             return
+        assert isinstance(command, SystemCommand)
         answer = reply if isinstance(reply, SystemReply) and reply.number == command.number else None
-        is_open = answer is not None and not ends(answer)
-        handle = (answer if step == "begin" and answer is not None else command).fields.get("handle")
-        if not isinstance(handle, int) or handle not in _HANDLES:
+        begun = answer if step == "begin" else None
+        handle = (begun or command).fields.get("handle")
+        if not isinstance(handle, int):
             return
-        if not is_open:
+        if answer is None or ends(answer):
             self.pop(handle, None)
-        elif step == "begin":
+        elif begun is not None:
             self[handle] = str(command.command)
 
 

@@ -365,18 +365,10 @@ class Host:
         self._watch()
 
     def _watch(self) -> None:
-        """Ends a command that keeps another client waiting, and says what has happened to the brick."""
+        """Looks after the command in progress, and says what has happened to the brick."""
         brick = self.brick
         if self._current is not None and brick.is_busy:
-            connection, begin = self._current
-            if brick.waits_for:
-                self._report_waiting(connection)
-            is_long = brick.spent > MOST_SPENT
-            if (is_long or self._loop.time() - begin > PATIENCE) and self._is_awaited(connection):
-                after = f"{MOST_SPENT:g} s of CPU time" if is_long else f"{PATIENCE:g} s"
-                self.say_once(f"{connection.name}: its command was ended after {after}, because another client waits")
-                connection.forget_frames()
-                self._guarded(brick.end_command, "as a command was ended")
+            self._hurry(*self._current)
         if brick.has_ended_command:
             brick.has_ended_command = False
             if self._current is not None:
@@ -387,6 +379,17 @@ class Host:
             self.say_once(
                 "PROGRAM_STOP 0 ended everything: a real brick is dead until it is restarted, this one continues"
             )
+
+    def _hurry(self, connection: Connection, begin: float) -> None:
+        """Says what a command waits for in vain, and ends it if it keeps another client waiting."""
+        if self.brick.waits_for:
+            self._report_waiting(connection)
+        is_long = self.brick.spent > MOST_SPENT
+        if (is_long or self._loop.time() - begin > PATIENCE) and self._is_awaited(connection):
+            after = f"{MOST_SPENT:g} s of CPU time" if is_long else f"{PATIENCE:g} s"
+            self.say_once(f"{connection.name}: its command was ended after {after}, because another client waits")
+            connection.forget_frames()
+            self._guarded(self.brick.end_command, "as a command was ended")
 
     def _report_waiting(self, connection: Connection) -> None:
         """Says what a command waits for in vain, once, and tells the observers."""

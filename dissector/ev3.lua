@@ -2832,21 +2832,17 @@ do
         local is_flags = row.enum and row.enum.is_flags
         return {
             name = name, type = type, field = row.field, kind = kind, is_float = type == DATAF, label = row.label,
-            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row),
+            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row), is_output = direction ~= IN,
             -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in the line of a command and of a reply.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
             value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
-            is_output = direction ~= IN,
-            unit = row.unit,
-            names = row.enum and not is_flags and row.enum.names or nil,
-            -- The letters of motors, for lines.
+            unit = row.unit, names = row.enum and not is_flags and row.enum.names or nil,
+            -- The letters of motors, for lines; whether it is a bit mask of ports.
             motors = (row.is_motor or row.is_set) and row.special or nil,
-            -- Whether it is a bit mask of ports.
             is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
-            flags = is_flags and row.enum.names or nil,
-            special = not is_flags and row.special or nil,
+            flags = is_flags and row.enum.names or nil, special = not is_flags and row.special or nil,
             length = row.length, most = row.most, any = row.any, is_unsigned = row.unsigned, is_label = row.is_label,
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
             -- What is said of a number outside of what the tables document, and the kind of that finding.
@@ -2872,15 +2868,10 @@ do
         local direction = row[3] == COUNT and row.elements or IN
         return made_late(function(number)
             local name = format("%s[%d]", list.name, number)
-            return {
-                name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
-                is_float = type == DATAF, any = row.any,
-                size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
-                range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
-                key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
-                value_key = " " .. name:lower() .. "=",
-                reading = row.reading, number = number + 1,
-            }
+            local of_one = { name, direction, type, any = row.any, reading = row.reading, field = declared, kind = kind }
+            local element = ready_parameter(of_one, name)
+            element.label, element.numbered, element.number, element.alignment = name, name, number + 1, 1
+            return element
         end)
     end
 
@@ -3460,12 +3451,8 @@ do
         return parameter.is_float and encoding.is_long and not find(text, "[^%d-]") and text .. ".0" or text
     end
 
-    -- The values for the names in the words about a constant, which is described by `about`.
+    -- How the values in the words about a constant are written, by their names, if they are not in `about`.
     local PARTS = {
-        name = function(about) return about.parameter.name end,
-        owner = function(about) return about.owner end,
-        kind = function(about) return TYPE_NAMES[about.parameter.type] end,
-        ports = function(about) return PORT_SETS[about.value] end,
         value = function(about) return spelled(about.parameter, about.encoding, about.value) end,
         read = function(about) return format("%d", about.read) end,
         aside = function(about) return about.read and format("; the brick reads it as %d", about.read) or "" end,
@@ -3474,7 +3461,6 @@ do
         outside = function(about) return about.parameter.outside[1] end,
         byte = function(about) return format("0x%02X", about.byte) end,
         characters = function(about) return phrases.plural(#about.value, "character") end,
-        most = function(about) return format("%d", about.parameter.most) end,
     }
 
     -- Returns what `ev3proto check` says of a constant, and its code; nil if it says nothing.
@@ -3486,8 +3472,9 @@ do
         end
         local about = {
             parameter = parameter, encoding = encoding, value = value, read = read, owner = owner, byte = byte_code,
+            name = parameter.name, kind = TYPE_NAMES[parameter.type], ports = PORT_SETS[value], most = parameter.most,
         }
-        return phrases.finding(wrong, function(name) return PARTS[name](about) end)
+        return phrases.finding(wrong, function(name) return PARTS[name] and PARTS[name](about) or about[name] end)
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -3564,27 +3551,23 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
     local NUMBERS = 0x040000
 
-    local MOST_SHARED = 4096
-
     -- Nanoseconds of a conversation after which a command has no reply.
     local GIVEN_UP = 1e9
 
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
-    -- type. `of_packet` has the number
-    -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
-    -- commands waited; `transfers`, by place, the state of a message's file; `locks`, by place of a command, the lock of
-    -- its connection.
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the type.
+    -- `of_packet` has the number for the first message of a packet, `others` for others, by place. Of few: `unsure`, by
+    -- number, if several commands waited; by place, `transfers`, the state of a file, and `locks`, that of a connection.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
-    -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
-    -- packet that of its conversation, if it is not the first.
-    local shared, shared_count, conversations, newest_number, numbers
+    -- One string for equal bodies; conversations by key, the number of the newest one, and by packet that of its
+    -- conversation, if it is not the first.
+    local shared, conversations, newest_number, numbers
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
         transfers, locks = {}, {}
-        count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
+        count, shared, conversations, newest_number, numbers = 0, {}, {}, 0, {}
     end
 
     local function set_number(place, number)
@@ -3681,11 +3664,7 @@ do
     local function remember(conversation, place, message, now)
         -- Of a system command, its number and a handle are enough.
         local body = sub(message.text, HEADER_SIZE + 1, message.command and HEADER_SIZE + 2 or -1)
-        if not shared[body] then
-            if shared_count == MOST_SHARED then shared, shared_count = {}, 0 end
-            shared[body], shared_count = body, shared_count + 1
-        end
-        count = count + 1
+        shared[body], count = shared[body] or body, count + 1
         asked[count], answers[count], times[count], bodies[count] = place, false, now, shared[body]
         owners[count] = conversation
         set_number(place, count)
@@ -4788,6 +4767,11 @@ local function stop_of(text, at)
     return length and at + LENGTH_FIELD + length
 end
 
+-- Reads the frame at an offset of a text.
+function messages.read_at(text, at)
+    return messages.read(sub(text, at + 1, stop_of(text, at)))
+end
+
 local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end
@@ -4848,13 +4832,10 @@ do
         local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
         if type.carries == "daisy" then
-            local number, from, to = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 3)
-            if not type.is_command then
-                from, to = number, from
-            elseif not DAISY.names[number] then
-                return false
-            end
-            return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
+            local at = HEADER_SIZE + (type.is_command and 2 or 1)
+            local from, to = byte(text, at, at + 1)
+            if not to or type.is_command and not DAISY.names[byte(text, HEADER_SIZE + 1)] then return false end
+            return math.max(from, to) <= DAISY.most_layers
         end
         if type.carries ~= "direct" or not type.is_command then return true end
         return message.stop > COMMAND_HEADER_SIZE and not claiming.scan(text, COMMAND_HEADER_SIZE, message.stop)
@@ -4891,9 +4872,8 @@ do
         if not is_cut and (stop < message.size or message.fault) then return false end
         if type.carries == "direct" then
             if stop < COMMAND_HEADER_SIZE then return false end
-            if fits(message.text, stop, is_cut, instructions) then return true end
             for _, set in pairs(INSTRUCTION_SETS) do
-                if set ~= instructions and fits(message.text, stop, is_cut, set) then return true end
+                if fits(message.text, stop, is_cut, set) then return true end
             end
             return false
         end
@@ -4957,7 +4937,7 @@ do
         local places, stop = finding.frames_of(text, 0, #text)
         local count = (conversation.replies or 0) + #places
         for _, at in ipairs(places) do
-            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            local message = messages.read_at(text, at)
             local type = message.type
             local is_empty = type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE)
             if type.is_command or type.carries == "daisy" or message.fault or is_empty then count = 0 end
@@ -4983,7 +4963,7 @@ do
             local newest = starts[#starts]
             -- Its length, counter and type are enough: the rest of a long reply comes in later packets.
             local is_reply = #text - newest >= HEADER_SIZE and is_length(text, newest)
-            local reply = is_reply and messages.read(sub(text, newest + 1, stop_of(text, newest)))
+            local reply = is_reply and messages.read_at(text, newest)
             if reply and is_proved(conversation, side, reply) then return CHAIN, newest end
         end
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
@@ -4996,7 +4976,7 @@ do
         elseif found == SINGLE then
             packet.frames, packet.number, packet.time = {}, pinfo.number, pinfo.rel_ts
             for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
-                packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
+                packet.frames[index] = { at = at, message = messages.read_at(text, at) }
             end
             local held = conversation.held or {}
             if #held == CLAIMS.most_held then table.remove(held, 1) end
@@ -5121,8 +5101,7 @@ do
         local places, stop = finding.frames_of(text, at, reported)
         for _, place in ipairs(places) do
             if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
-            local frame = is_sensible and sub(text, place + 1, stop_of(text, place))
-            if frame and not claiming.is_sensible(messages.read(frame)) then return false end
+            if is_sensible and not claiming.is_sensible(messages.read_at(text, place)) then return false end
         end
         return stop == reported and places[1] ~= nil
     end
@@ -5164,7 +5143,7 @@ do
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
             local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
-            local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
+            local message = (is_begin[place] or is_followed) and messages.read_at(text, place)
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
@@ -5199,7 +5178,7 @@ do
             if stop > #text then
                 if not open and finding.may_become(text, place, accepts) then open = place end
             elseif (following or is_begin) and (following or 0) >= least then
-                local is_sound = claiming.is_sensible(messages.read(sub(text, place + 1, stop)))
+                local is_sound = claiming.is_sensible(messages.read_at(text, place))
                 if is_sound and following and following > 0 then return place, following end
                 if is_sound and following then
                     single = single or place
@@ -5219,7 +5198,7 @@ do
         local length = reading.unsigned16(text, at)
         local right = length and length - LENGTH_FIELD
         if not sent or length ~= sent - at or right < MIN_LENGTH or stop_of(text, at) > #text then return nil end
-        if claiming.is_sensible(messages.read(sub(text, at + 1, stop_of(text, at)))) then return nil end
+        if claiming.is_sensible(messages.read_at(text, at)) then return nil end
         local head = string.char(right % 0x100, floor(right / 0x100))
         local meant = messages.read(head .. sub(text, at + LENGTH_FIELD + 1, at + length))
         local said = { length = length, more = LENGTH_FIELD }
@@ -5235,7 +5214,7 @@ do
             local _, following = finding.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message, following = messages.read(sub(text, at + 1, stop)), finding.follow(text, stop)
+        local message, following = messages.read_at(text, at), finding.follow(text, stop)
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end
@@ -5336,30 +5315,29 @@ do
     end
 
     -- Returns why bytes are in no frame. `length` is the length field there, `plain` the text that they are,
-    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_lost` tells whether
-    -- bytes are missing before them.
-    local function reason_of(length, plain, left_over, is_lost)
+    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_gap` tells whether
+    -- bytes may be missing before them.
+    local function reason_of(length, plain, left_over, is_gap)
         if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
         local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
-            local said = { bytes = phrases.plural(left_over, "byte") }
-            return reason .. "; " .. phrases.filled(SLIPS.left_over, said)
-        elseif is_possible or is_lost then
-            return "bytes that are in no frame, as after a gap in the capture"
+            return reason .. "; " .. phrases.filled(SLIPS.left_over, { bytes = phrases.plural(left_over, "byte") })
+        elseif is_possible or is_gap then
+            return is_gap and "bytes that are in no frame, as after a gap in the capture" or "bytes that are in no frame"
         end
         return format(reason, length, MIN_LENGTH, MAX_LENGTH)
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_gap)
         local said = plain and format("text, not a frame: %.60s", plain)
             or format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_lost))
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_gap))
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -5380,32 +5358,21 @@ do
         return place, is_open
     end
 
-    -- Tells whether the header at an offset is other data, because there may be a gap before it: the frame has faults,
-    -- and another frame is inside.
-    local function is_misleading(text, at, stop, accepts)
-        local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_whole, is_known = stop <= #text, type and accepts(type)
-        local is_chained = not is_whole or finding.follow(text, stop)
-        if is_chained and at > 0 then return false end
-        if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local least = is_whole and 1 or finding.MOST_FOLLOWING
-        if not is_chained or not is_whole and not finding.may_become(text, at, accepts) then least = 0 end
-        local place, following = finding.find_step(text, at + 1, accepts, least)
-        return following ~= nil and place < stop
+    -- Tells whether a frame must be searched for.
+    local function is_lost(step)
+        return step == "lost" or step == "astray"
     end
 
     -- Judges the bytes from an offset on: OURS for a frame that can be dissected; PART for one that has to wait, with
     -- the number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
-        if step == "lost" or stop and not is_length(text, at) then return nil end
+        if is_lost(step) or stop and not is_length(text, at) then return nil end
         if finding.slip_of(text, at, stream.sent) then return OURS end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
             if verdict == PART and stop <= #text then return PART, nil, step end
-        elseif code and step == "likely" and stop ~= #text then
-            if is_misleading(text, at, stop, stream.accepts) then return nil end
         elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
             and finding.is_filled(text, stream.joint, stream.accepts, #text, true) then
             -- Whole frames fill the newest packet: the frame before it, which is incomplete, was before a gap.
@@ -5415,7 +5382,7 @@ do
         -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
         -- At the start of a packet there may be one, too: then the whole next packet tells.
-        return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
+        return PART, at > 0 and stop and stop - stream.reported or nil, step == "text" and step or "sure"
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -5423,8 +5390,8 @@ do
     -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
-    --              "lost" if it must be searched for
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it, "text"
+    --              if the end of a text may come before; if a frame must be searched for, "lost" after a gap, else "astray"
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
@@ -5434,11 +5401,11 @@ do
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
         local no_frame_at
         while at < captured do
-            local said, after, verdict, wanted
+            local said, after, verdict, wanted, step_then, is_open
             if UNLOCK.starts[byte(text, at + 1)] then
                 said, after = dissect_text(tvb, text, at, tree, brick)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
-                if said then step = "sure" end
+                if said then step = "text" end
                 local is_again = said and conversation and conversation.number
                 if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
                     dialogues.renew(conversation)
@@ -5446,14 +5413,13 @@ do
                 if said and conversation then dialogues.unlock(conversation) end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
-            local polled = step ~= "lost" and after_polls(text, at) or at
+            local polled = is_lost(step) and at or after_polls(text, at)
             if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
                 add_bytes(tvb, at, after, tree, brick, said, field.padding)
             end
-            if not said then
-                local step_then
-                if at ~= no_frame_at then verdict, wanted, step_then = judge_frame(text, at, stream, step) end
+            if not said and at ~= no_frame_at then
+                verdict, wanted, step_then = judge_frame(text, at, stream, step)
                 if verdict == PART then return at, wanted, lost, step_then end
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
@@ -5462,46 +5428,46 @@ do
                 said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
-                local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                local place = storage.place_of(number, start + at)
-                local message = messages.read(frame)
+                local message, place = messages.read_at(text, at), storage.place_of(number, start + at)
                 message.slip = finding.slip_of(text, at, stream.sent)
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
                 said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
+                step = step == "text" and "sure" or step
             elseif not said then
-                after = step ~= "lost" and end_of_text(text, at)
+                after = step == "text" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, brick, said, field.rest)
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
-                    local is_lost, place = step == "lost", storage.place_of(number, start + at)
+                    local was_lost, place = is_lost(step), storage.place_of(number, start + at)
                     local is_after = at == no_frame_at
-                        or not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                        or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
-                    local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
+                    local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
                     after, is_open = next_step(
-                        sub(text, 1, stop), is_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
+                        sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
-                    local may_be_text = not is_lost and streaming.sure_places[place]
+                    local may_be_text = not was_lost and streaming.sure_places[place]
                     local plain = may_be_text and plain_text(text, at, stop)
                     if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
-                    step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
+                    local is_gap = stream.may_gap or step == "lost"
+                    step = "sure"
+                    if is_open or after == captured and not (plain or is_after) then
+                        step = is_gap and "lost" or "astray"
+                    end
                     if after > at then
                         local length = reading.unsigned16(text, at)
                         said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
-                            is_after and stop - at, is_lost)
+                            is_after and stop - at, is_gap)
                         lost = lost + after - at
-                    end
-                    if is_open then
-                        if said then say(said) end
-                        return after, nil, lost, step
                     end
                 end
             end
             if said then say(said) end
+            if is_open then return after, nil, lost, step end
             at = after
         end
         return at, 0, lost, step
@@ -5745,10 +5711,7 @@ do
     -- Looks for a reason to claim a channel, and makes the packet's record if it finds one. The beginning of a possible
     -- command is kept: typed text, for example, arrives letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
-        local number, left, starts = pinfo.number, stream.left, {}
-        for index, start in ipairs(stream.starts or {}) do
-            starts[index] = start
-        end
+        local number, left, starts = pinfo.number, stream.left, { table.unpack(stream.starts or {}) }
         starts[#starts + 1] = #left
         local text, list = left .. piece, nil
         local found, place = claiming.judge(conversation, pinfo, {
@@ -5855,15 +5818,10 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if brick then add_joined(tree, tvb, packet) end
             end
+            local joint = before and #before or 0
             local state = {
-                reported = #text,
-                is_last = missing > 0,
-                step = packet.step or "likely",
-                start = packet.start,
-                joint = before and #before or 0,
-                sent = before and packet.earlier == 1 and #before,
-                first = not before and 0,
-                may_gap = true,
+                reported = #text, is_last = missing > 0, step = packet.step or "likely", start = packet.start,
+                joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
             local after, _, lost, step =
@@ -5959,7 +5917,6 @@ do
         for _, entry in ipairs(places[port] or {}) do
             if entry.address == address then return entry end
         end
-        return nil
     end
 
     local function add_entry(places, address, port, name)
@@ -6000,9 +5957,7 @@ do
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
-            if offset > 0 then
-                return (before == "lost" or pending and not is_further) and "lost" or "sure", 0, 0
-            end
+            if offset > 0 then return pending and not is_further and "lost" or before or "sure", 0, 0 end
             for _, done in ipairs({ 0, known.done }) do
                 if pending and sub(text, done + 1, done + #pending) == pending then
                     return before, done + #pending, done
@@ -6041,22 +5996,17 @@ do
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if step == "sure" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
+                local is_sent = is_to_named(conversation or connection_of(pinfo), pinfo)
                 local stream = {
-                    reported = reported,
-                    is_last = captured < reported or pinfo.can_desegment == 0,
-                    step = step,
-                    start = done,
-                    joint = joint,
-                    sent = joint,
-                    first = 0,
-                    accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
-                        or comes_from_brick,
+                    reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
+                    start = done, joint = joint, sent = joint, first = 0,
+                    accepts = is_sent and goes_to_brick or comes_from_brick,
                 }
                 local after, wanted
                 after, wanted, lost, step =
@@ -6326,10 +6276,8 @@ do
     end
 
     carriers[#carriers + 1] = {
-        dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
-        forget = forget_wifi,
+        dissectors = { [2] = dissect_tcp, [3] = dissect_udp }, forget = forget_wifi, register = register,
         prefs_changed = follow_ports,
-        register = register,
     }
 end
 
@@ -6391,4 +6339,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: d7a5da80f05567c0
+-- Checksum of the lines above, by which a changed file is recognised: 5afbc6181ad104f8

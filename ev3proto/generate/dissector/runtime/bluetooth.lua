@@ -85,10 +85,7 @@ do
     -- Looks for a reason to claim a channel, and makes the packet's record if it finds one. The beginning of a possible
     -- command is kept: typed text, for example, arrives letter by letter.
     local function claim(conversation, stream, piece, missing, offset, pinfo)
-        local number, left, starts = pinfo.number, stream.left, {}
-        for index, start in ipairs(stream.starts or {}) do
-            starts[index] = start
-        end
+        local number, left, starts = pinfo.number, stream.left, { table.unpack(stream.starts or {}) }
         starts[#starts + 1] = #left
         local text, list = left .. piece, nil
         local found, place = claiming.judge(conversation, pinfo, {
@@ -195,15 +192,10 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if brick then add_joined(tree, tvb, packet) end
             end
+            local joint = before and #before or 0
             local state = {
-                reported = #text,
-                is_last = missing > 0,
-                step = packet.step or "likely",
-                start = packet.start,
-                joint = before and #before or 0,
-                sent = before and packet.earlier == 1 and #before,
-                first = not before and 0,
-                may_gap = true,
+                reported = #text, is_last = missing > 0, step = packet.step or "likely", start = packet.start,
+                joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
             local after, _, lost, step =

@@ -29,13 +29,10 @@ do
         local type, text = message.type, message.text
         if not type or message.stop < message.size or message.fault then return false end
         if type.carries == "daisy" then
-            local number, from, to = byte(text, HEADER_SIZE + 1, HEADER_SIZE + 3)
-            if not type.is_command then
-                from, to = number, from
-            elseif not DAISY.names[number] then
-                return false
-            end
-            return to ~= nil and from <= DAISY.most_layers and to <= DAISY.most_layers
+            local at = HEADER_SIZE + (type.is_command and 2 or 1)
+            local from, to = byte(text, at, at + 1)
+            if not to or type.is_command and not DAISY.names[byte(text, HEADER_SIZE + 1)] then return false end
+            return math.max(from, to) <= DAISY.most_layers
         end
         if type.carries ~= "direct" or not type.is_command then return true end
         return message.stop > COMMAND_HEADER_SIZE and not claiming.scan(text, COMMAND_HEADER_SIZE, message.stop)
@@ -72,9 +69,8 @@ do
         if not is_cut and (stop < message.size or message.fault) then return false end
         if type.carries == "direct" then
             if stop < COMMAND_HEADER_SIZE then return false end
-            if fits(message.text, stop, is_cut, instructions) then return true end
             for _, set in pairs(INSTRUCTION_SETS) do
-                if set ~= instructions and fits(message.text, stop, is_cut, set) then return true end
+                if fits(message.text, stop, is_cut, set) then return true end
             end
             return false
         end
@@ -138,7 +134,7 @@ do
         local places, stop = finding.frames_of(text, 0, #text)
         local count = (conversation.replies or 0) + #places
         for _, at in ipairs(places) do
-            local message = messages.read(sub(text, at + 1, stop_of(text, at)))
+            local message = messages.read_at(text, at)
             local type = message.type
             local is_empty = type.carries == "direct" and (type.is_error or message.stop == HEADER_SIZE)
             if type.is_command or type.carries == "daisy" or message.fault or is_empty then count = 0 end
@@ -164,7 +160,7 @@ do
             local newest = starts[#starts]
             -- Its length, counter and type are enough: the rest of a long reply comes in later packets.
             local is_reply = #text - newest >= HEADER_SIZE and is_length(text, newest)
-            local reply = is_reply and messages.read(sub(text, newest + 1, stop_of(text, newest)))
+            local reply = is_reply and messages.read_at(text, newest)
             if reply and is_proved(conversation, side, reply) then return CHAIN, newest end
         end
         if packet.to_brick == false then return has_replies(conversation, text) and CHAIN or nil, 0 end
@@ -177,7 +173,7 @@ do
         elseif found == SINGLE then
             packet.frames, packet.number, packet.time = {}, pinfo.number, pinfo.rel_ts
             for index, at in ipairs((finding.frames_of(text, place, packet.reported))) do
-                packet.frames[index] = { at = at, message = messages.read(sub(text, at + 1, stop_of(text, at))) }
+                packet.frames[index] = { at = at, message = messages.read_at(text, at) }
             end
             local held = conversation.held or {}
             if #held == CLAIMS.most_held then table.remove(held, 1) end

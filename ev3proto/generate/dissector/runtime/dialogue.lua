@@ -12,27 +12,23 @@ do
     local CARRIES = { direct = 0x000000, system = 0x010000, daisy = 0x020000 }
     local NUMBERS = 0x040000
 
-    local MOST_SHARED = 4096
-
     -- Nanoseconds of a conversation after which a command has no reply.
     local GIVEN_UP = 1e9
 
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the
-    -- type. `of_packet` has the number
-    -- for the first message of a packet, `others` for others, by place. Of few: `unsure`, by number, if several
-    -- commands waited; `transfers`, by place, the state of a message's file; `locks`, by place of a command, the lock of
-    -- its connection.
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the type.
+    -- `of_packet` has the number for the first message of a packet, `others` for others, by place. Of few: `unsure`, by
+    -- number, if several commands waited; by place, `transfers`, the state of a file, and `locks`, that of a connection.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
-    -- One string for equal bodies, up to a number of them; conversations by key, the number of the newest one, and by
-    -- packet that of its conversation, if it is not the first.
-    local shared, shared_count, conversations, newest_number, numbers
+    -- One string for equal bodies; conversations by key, the number of the newest one, and by packet that of its
+    -- conversation, if it is not the first.
+    local shared, conversations, newest_number, numbers
 
     function dialogues.forget()
         asked, answers, times, bodies, owners, of_packet, others, unsure = {}, {}, {}, {}, {}, {}, {}, {}
         transfers, locks = {}, {}
-        count, shared, shared_count, conversations, newest_number, numbers = 0, {}, 0, {}, 0, {}
+        count, shared, conversations, newest_number, numbers = 0, {}, {}, 0, {}
     end
 
     local function set_number(place, number)
@@ -129,11 +125,7 @@ do
     local function remember(conversation, place, message, now)
         -- Of a system command, its number and a handle are enough.
         local body = sub(message.text, HEADER_SIZE + 1, message.command and HEADER_SIZE + 2 or -1)
-        if not shared[body] then
-            if shared_count == MOST_SHARED then shared, shared_count = {}, 0 end
-            shared[body], shared_count = body, shared_count + 1
-        end
-        count = count + 1
+        shared[body], count = shared[body] or body, count + 1
         asked[count], answers[count], times[count], bodies[count] = place, false, now, shared[body]
         owners[count] = conversation
         set_number(place, count)

@@ -85,8 +85,7 @@ do
         local places, stop = finding.frames_of(text, at, reported)
         for _, place in ipairs(places) do
             if not accepts(MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]) then return false end
-            local frame = is_sensible and sub(text, place + 1, stop_of(text, place))
-            if frame and not claiming.is_sensible(messages.read(frame)) then return false end
+            if is_sensible and not claiming.is_sensible(messages.read_at(text, place)) then return false end
         end
         return stop == reported and places[1] ~= nil
     end
@@ -128,7 +127,7 @@ do
             end
             local is_enough = stop - place >= LEAST and (anywhere or size - stop >= LENGTH_FIELD)
             local is_followed = is_enough and (stop == size or may_start(text, stop)) and finding.follow(text, stop)
-            local message = (is_begin[place] or is_followed) and messages.read(sub(text, place + 1, stop))
+            local message = (is_begin[place] or is_followed) and messages.read_at(text, place)
             if message and claiming.is_plausible(message, is_cut) then return CHAIN end
             return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
@@ -163,7 +162,7 @@ do
             if stop > #text then
                 if not open and finding.may_become(text, place, accepts) then open = place end
             elseif (following or is_begin) and (following or 0) >= least then
-                local is_sound = claiming.is_sensible(messages.read(sub(text, place + 1, stop)))
+                local is_sound = claiming.is_sensible(messages.read_at(text, place))
                 if is_sound and following and following > 0 then return place, following end
                 if is_sound and following then
                     single = single or place
@@ -183,7 +182,7 @@ do
         local length = reading.unsigned16(text, at)
         local right = length and length - LENGTH_FIELD
         if not sent or length ~= sent - at or right < MIN_LENGTH or stop_of(text, at) > #text then return nil end
-        if claiming.is_sensible(messages.read(sub(text, at + 1, stop_of(text, at)))) then return nil end
+        if claiming.is_sensible(messages.read_at(text, at)) then return nil end
         local head = string.char(right % 0x100, floor(right / 0x100))
         local meant = messages.read(head .. sub(text, at + LENGTH_FIELD + 1, at + length))
         local said = { length = length, more = LENGTH_FIELD }
@@ -199,7 +198,7 @@ do
             local _, following = finding.find_step(text, at + 1, accepts, 0)
             return not following and PART or nil
         end
-        local message, following = messages.read(sub(text, at + 1, stop)), finding.follow(text, stop)
+        local message, following = messages.read_at(text, at), finding.follow(text, stop)
         local type = message.type
         local is_sound = type and accepts(type) and claiming.is_sensible(message)
         if not following then return nil end

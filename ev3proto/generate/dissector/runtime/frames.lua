@@ -90,6 +90,11 @@ local function stop_of(text, at)
     return length and at + LENGTH_FIELD + length
 end
 
+-- Reads the frame at an offset of a text.
+function messages.read_at(text, at)
+    return messages.read(sub(text, at + 1, stop_of(text, at)))
+end
+
 local function is_usual_length(length)
     return length >= MIN_LENGTH and length <= MAX_LENGTH
 end

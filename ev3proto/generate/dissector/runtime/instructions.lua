@@ -55,21 +55,17 @@ do
         local is_flags = row.enum and row.enum.is_flags
         return {
             name = name, type = type, field = row.field, kind = kind, is_float = type == DATAF, label = row.label,
-            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row),
+            size = SIZE_OF[type] or 1, is_natural = kind == NUMBER and is_natural(row), is_output = direction ~= IN,
             -- The index of a variable must be a multiple of this, else the brick refuses the command.
             alignment = SIZE_OF[row.validated or type] or 1,
             -- What precedes the value in the line of a command and of a reply.
             key = direction ~= OUT and " " .. name:lower() .. "=" or nil,
             value_key = direction ~= IN and " " .. value_name:lower() .. "=" or nil,
-            is_output = direction ~= IN,
-            unit = row.unit,
-            names = row.enum and not is_flags and row.enum.names or nil,
-            -- The letters of motors, for lines.
+            unit = row.unit, names = row.enum and not is_flags and row.enum.names or nil,
+            -- The letters of motors, for lines; whether it is a bit mask of ports.
             motors = (row.is_motor or row.is_set) and row.special or nil,
-            -- Whether it is a bit mask of ports.
             is_set = row.is_set, is_motor = row.is_motor, is_ranged = row.is_ranged,
-            flags = is_flags and row.enum.names or nil,
-            special = not is_flags and row.special or nil,
+            flags = is_flags and row.enum.names or nil, special = not is_flags and row.special or nil,
             length = row.length, most = row.most, any = row.any, is_unsigned = row.unsigned, is_label = row.is_label,
             range = direction == IN and (row.range or not row.enum and not row.any and TYPE_RANGES[type]) or nil,
             -- What is said of a number outside of what the tables document, and the kind of that finding.
@@ -95,15 +91,10 @@ do
         local direction = row[3] == COUNT and row.elements or IN
         return made_late(function(number)
             local name = format("%s[%d]", list.name, number)
-            return {
-                name = name, numbered = name, type = type, field = declared, kind = kind, label = name,
-                is_float = type == DATAF, any = row.any,
-                size = SIZE_OF[type] or 1, alignment = 1, is_output = direction ~= IN,
-                range = not row.any and TYPE_RANGES[type] or nil, limits = SIZE_OF[type] and TYPE_RANGES[type],
-                key = direction ~= OUT and format(" %s[%d]=", list.name:lower(), number) or nil,
-                value_key = " " .. name:lower() .. "=",
-                reading = row.reading, number = number + 1,
-            }
+            local of_one = { name, direction, type, any = row.any, reading = row.reading, field = declared, kind = kind }
+            local element = ready_parameter(of_one, name)
+            element.label, element.numbered, element.number, element.alignment = name, name, number + 1, 1
+            return element
         end)
     end
 

@@ -81,30 +81,29 @@ do
     end
 
     -- Returns why bytes are in no frame. `length` is the length field there, `plain` the text that they are,
-    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_lost` tells whether
-    -- bytes are missing before them.
-    local function reason_of(length, plain, left_over, is_lost)
+    -- `left_over` the number of bytes to the end of the packet if a frame in it ends here, and `is_gap` tells whether
+    -- bytes may be missing before them.
+    local function reason_of(length, plain, left_over, is_gap)
         if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
         local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
-            local said = { bytes = phrases.plural(left_over, "byte") }
-            return reason .. "; " .. phrases.filled(SLIPS.left_over, said)
-        elseif is_possible or is_lost then
-            return "bytes that are in no frame, as after a gap in the capture"
+            return reason .. "; " .. phrases.filled(SLIPS.left_over, { bytes = phrases.plural(left_over, "byte") })
+        elseif is_possible or is_gap then
+            return is_gap and "bytes that are in no frame, as after a gap in the capture" or "bytes that are in no frame"
         end
         return format(reason, length, MIN_LENGTH, MAX_LENGTH)
     end
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_lost)
+    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_gap)
         local said = plain and format("text, not a frame: %.60s", plain)
             or format("no frame (%s)", phrases.plural(stop - at, "byte"))
         local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
         local kind = is_cut and "cut_by_capture" or "no_boundary"
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_lost))
+        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_gap))
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -125,32 +124,21 @@ do
         return place, is_open
     end
 
-    -- Tells whether the header at an offset is other data, because there may be a gap before it: the frame has faults,
-    -- and another frame is inside.
-    local function is_misleading(text, at, stop, accepts)
-        local type = MESSAGE_TYPES[byte(text, at + HEADER_SIZE)]
-        local is_whole, is_known = stop <= #text, type and accepts(type)
-        local is_chained = not is_whole or finding.follow(text, stop)
-        if is_chained and at > 0 then return false end
-        if is_known and is_whole and claiming.is_sensible(messages.read(sub(text, at + 1, stop))) then return false end
-        local least = is_whole and 1 or finding.MOST_FOLLOWING
-        if not is_chained or not is_whole and not finding.may_become(text, at, accepts) then least = 0 end
-        local place, following = finding.find_step(text, at + 1, accepts, least)
-        return following ~= nil and place < stop
+    -- Tells whether a frame must be searched for.
+    local function is_lost(step)
+        return step == "lost" or step == "astray"
     end
 
     -- Judges the bytes from an offset on: OURS for a frame that can be dissected; PART for one that has to wait, with
     -- the number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
-        if step == "lost" or stop and not is_length(text, at) then return nil end
+        if is_lost(step) or stop and not is_length(text, at) then return nil end
         if finding.slip_of(text, at, stream.sent) then return OURS end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
             if verdict == PART and stop <= #text then return PART, nil, step end
-        elseif code and step == "likely" and stop ~= #text then
-            if is_misleading(text, at, stop, stream.accepts) then return nil end
         elseif code and at < stream.joint and stop ~= #text and stop - LENGTH_FIELD ~= stream.joint
             and finding.is_filled(text, stream.joint, stream.accepts, #text, true) then
             -- Whole frames fill the newest packet: the frame before it, which is incomplete, was before a gap.
@@ -160,7 +148,7 @@ do
         -- There may be a gap before it, so it is judged again with each packet.
         if step == "likely" and at == 0 then return PART, nil, step end
         -- At the start of a packet there may be one, too: then the whole next packet tells.
-        return PART, at > 0 and stop and stop - stream.reported or nil, "sure"
+        return PART, at > 0 and stop and stop - stream.reported or nil, step == "text" and step or "sure"
     end
 
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
@@ -168,8 +156,8 @@ do
     -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
-    --              "lost" if it must be searched for
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it, "text"
+    --              if the end of a text may come before; if a frame must be searched for, "lost" after a gap, else "astray"
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
@@ -179,11 +167,11 @@ do
         local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
         local no_frame_at
         while at < captured do
-            local said, after, verdict, wanted
+            local said, after, verdict, wanted, step_then, is_open
             if UNLOCK.starts[byte(text, at + 1)] then
                 said, after = dissect_text(tvb, text, at, tree, brick)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
-                if said then step = "sure" end
+                if said then step = "text" end
                 local is_again = said and conversation and conversation.number
                 if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
                     dialogues.renew(conversation)
@@ -191,14 +179,13 @@ do
                 if said and conversation then dialogues.unlock(conversation) end
                 if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
             end
-            local polled = step ~= "lost" and after_polls(text, at) or at
+            local polled = is_lost(step) and at or after_polls(text, at)
             if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
                 add_bytes(tvb, at, after, tree, brick, said, field.padding)
             end
-            if not said then
-                local step_then
-                if at ~= no_frame_at then verdict, wanted, step_then = judge_frame(text, at, stream, step) end
+            if not said and at ~= no_frame_at then
+                verdict, wanted, step_then = judge_frame(text, at, stream, step)
                 if verdict == PART then return at, wanted, lost, step_then end
             end
             if verdict == OURS and captured - at < HEADER_SIZE then
@@ -207,46 +194,46 @@ do
                 said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
-                local frame = at == 0 and after == captured and text or sub(text, at + 1, after)
-                local place = storage.place_of(number, start + at)
-                local message = messages.read(frame)
+                local message, place = messages.read_at(text, at), storage.place_of(number, start + at)
                 message.slip = finding.slip_of(text, at, stream.sent)
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
                 said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
+                step = step == "text" and "sure" or step
             elseif not said then
-                after = step ~= "lost" and end_of_text(text, at)
+                after = step == "text" and end_of_text(text, at)
                 if after then
                     said = "end of the text before"
                     add_bytes(tvb, at, after, tree, brick, said, field.rest)
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
-                    local is_lost, place = step == "lost", storage.place_of(number, start + at)
+                    local was_lost, place = is_lost(step), storage.place_of(number, start + at)
                     local is_after = at == no_frame_at
-                        or not (is_lost or stream.may_gap) and at > 0 and at ~= stream.joint
+                        or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
-                    local least, is_open = not (stream.is_last or is_after) and (is_lost or stream.may_gap) and 1, nil
+                    local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
                     after, is_open = next_step(
-                        sub(text, 1, stop), is_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
+                        sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
-                    local may_be_text = not is_lost and streaming.sure_places[place]
+                    local may_be_text = not was_lost and streaming.sure_places[place]
                     local plain = may_be_text and plain_text(text, at, stop)
                     if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
-                    step = (is_open or after == captured and not (plain or is_after)) and "lost" or "sure"
+                    local is_gap = stream.may_gap or step == "lost"
+                    step = "sure"
+                    if is_open or after == captured and not (plain or is_after) then
+                        step = is_gap and "lost" or "astray"
+                    end
                     if after > at then
                         local length = reading.unsigned16(text, at)
                         said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
-                            is_after and stop - at, is_lost)
+                            is_after and stop - at, is_gap)
                         lost = lost + after - at
-                    end
-                    if is_open then
-                        if said then say(said) end
-                        return after, nil, lost, step
                     end
                 end
             end
             if said then say(said) end
+            if is_open then return after, nil, lost, step end
             at = after
         end
         return at, 0, lost, step

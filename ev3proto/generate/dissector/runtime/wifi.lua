@@ -59,7 +59,6 @@ do
         for _, entry in ipairs(places[port] or {}) do
             if entry.address == address then return entry end
         end
-        return nil
     end
 
     local function add_entry(places, address, port, name)
@@ -100,9 +99,7 @@ do
         local function first_step(known, text, offset, number)
             local pending, before, is_further = known.pending, known.step, number == known.number
             known.pending, known.number = nil, number
-            if offset > 0 then
-                return (before == "lost" or pending and not is_further) and "lost" or "sure", 0, 0
-            end
+            if offset > 0 then return pending and not is_further and "lost" or before or "sure", 0, 0 end
             for _, done in ipairs({ 0, known.done }) do
                 if pending and sub(text, done + 1, done + #pending) == pending then
                     return before, done + #pending, done
@@ -141,22 +138,17 @@ do
             start_line(number, offset)
             -- Nearly every buffer is exactly one frame.
             local lost = 0
-            if step ~= "lost" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
+            if step == "sure" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
                 local place = storage.place_of(number, offset)
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
+                local is_sent = is_to_named(conversation or connection_of(pinfo), pinfo)
                 local stream = {
-                    reported = reported,
-                    is_last = captured < reported or pinfo.can_desegment == 0,
-                    step = step,
-                    start = done,
-                    joint = joint,
-                    sent = joint,
-                    first = 0,
-                    accepts = is_to_named(conversation or connection_of(pinfo), pinfo) and goes_to_brick
-                        or comes_from_brick,
+                    reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
+                    start = done, joint = joint, sent = joint, first = 0,
+                    accepts = is_sent and goes_to_brick or comes_from_brick,
                 }
                 local after, wanted
                 after, wanted, lost, step =
@@ -426,9 +418,7 @@ do
     end
 
     carriers[#carriers + 1] = {
-        dissectors = { [2] = dissect_tcp, [3] = dissect_udp },
-        forget = forget_wifi,
+        dissectors = { [2] = dissect_tcp, [3] = dissect_udp }, forget = forget_wifi, register = register,
         prefs_changed = follow_ports,
-        register = register,
     }
 end

@@ -2553,6 +2553,9 @@ local FINDINGS = {
     NO_PORTS = { "H702", "{name} is 0, a bit mask without a port, so {owner} does nothing" },
     MAILBOX_NAME = { "W804", "the name has {size} characters; that of a mailbox has at most 49" },
     MAILBOX_CONTENT = { "W804", "the message has {size} bytes, but a mailbox has room for only 250" },
+    MISALIGNED = { "E205", "{name} is {variable}, and must start at a multiple of {step}" },
+    BEYOND_global = { "E402", "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory" },
+    BEYOND_local = { "E401", "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory" },
 }
 local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
 local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
@@ -3977,7 +3980,7 @@ do
     end
 
     -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
-    -- requested `globals` and `locals`; the `operation`, its offset `at`, and the constants `stated` by its arguments;
+    -- requested memory, `global` and `local`; the `operation`, its offset `at`, and the constants `stated` by its arguments;
     -- what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` without a tree,
     -- whether a variable `is_beyond` the memory, and the `outputs`.
 
@@ -4003,21 +4006,21 @@ do
             size = SIZE_OF[DATA32]
         end
         if index % alignment ~= 0 then
-            report(run, "misaligned", at, format(
-                "%s: the index of a %s must be a multiple of %d, the brick refuses %s", parameter.name,
-                encoding.handle and "handle" or TYPE_NAMES[parameter.type], alignment,
-                argument_text(parameter, encoding, index)))
+            local variable = argument_text(parameter, encoding, index)
+            local said = { name = parameter.name, variable = variable, step = alignment }
+            report(run, "misaligned", at, (phrases.finding("MISALIGNED", said)))
         end
-        local is_global = encoding.kind == GLOBAL
-        local asked = is_global and run.globals or run.locals
+        local scope = encoding.kind == GLOBAL and "global" or "local"
+        local asked = run[scope]
         if not asked then return end
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * reply_values.stated_length(parameter, run.stated, 1)
         end
         if index + size <= asked then return end
-        report(run, "beyond_memory", at, format(
-            "%s reaches up to byte %d of the %s memory, but the command requests %s",
-            parameter.name, index + size, is_global and "global" or "local", plural(asked, "byte")))
+        report(run, "beyond_memory", at, (phrases.finding("BEYOND_" .. scope, {
+            name = parameter.name, scope = scope, asked = asked > 0 and plural(asked, "byte") .. " of" or "no",
+            bytes = size == 1 and "byte " .. index or format("bytes %d to %d", index, index + size - 1),
+        })))
     end
 
     -- Appends an argument to the line of its operation.
@@ -4080,7 +4083,7 @@ do
     local function read(text, at, wants_steps, globals, locals)
         local first, phrase, names, fault, line = nil, "", {}, nil, ""
         local steps = wants_steps and {} or nil
-        local run = { text = text, steps = steps, globals = globals, locals = locals, complaints = {}, outputs = {} }
+        local run = { text = text, steps = steps, global = globals, ["local"] = locals, complaints = {}, outputs = {} }
         while at < #text and not fault do
             local heading = steps and #steps
             if steps then add_step(steps, OPCODE, at, 1, byte(text, at + 1)) end
@@ -6339,4 +6342,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 5afbc6181ad104f8
+-- Checksum of the lines above, by which a changed file is recognised: e3f23b14af55ca46

@@ -589,11 +589,10 @@ FAULTS = {
     "0D00 0300 80 0008 2F 40 83 00000080 01": Told(
         "fault", "at offset 9: LENGTH cannot be -2147483648: there is room for 0 to 1 values", "01"
     ),
-    "0800 0400 00 0800 81 01 61": Told(
-        "misaligned", "VALUE: the index of a DATAF must be a multiple of 4, the brick refuses GV(1)"
-    ),
+    "0800 0400 00 0800 81 01 61": Told("misaligned", "VALUE is GV(1), and must start at a multiple of 4 (E205)"),
     "0800 0500 00 0200 81 01 60": Told(
-        "beyond_memory", "VALUE reaches up to byte 4 of the global memory, but the command requests 2 bytes"
+        "beyond_memory",
+        "VALUE takes bytes 0 to 3 of global memory, but the header requests 2 bytes of global memory (E402)",
     ),
     "0B00 0500 80 0000 A4 00 0F 82 C800": Told(
         "misread", "POWER is 200, which the brick reads as -56: it is a DATA8, -127 to 127 (W301)"
@@ -824,8 +823,8 @@ def test_the_reply_to_a_refused_command_has_its_reason(tshark: Tshark) -> None:
     path = CAPTURES / "wifi.pcapng"
     shown = tshark.run(path, "-Y", "ev3.expert.error_reply", "-T", "fields", "-e", "_ws.expert.message")
     assert shown.strip() == (
-        "the brick refused the command or failed to execute it; in the command, at offset 9: VALUE: the index of a"
-        " DATAF must be a multiple of 4, the brick refuses GV(1)"
+        "the brick refused the command or failed to execute it; in the command, at offset 9: VALUE is GV(1), and"
+        " must start at a multiple of 4 (E205)"
     )
 
 

@@ -8,7 +8,17 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
+from ev3proto.checking.codes import (
+    BEYOND_GLOBALS,
+    BEYOND_LOCALS,
+    CODES,
+    MAILBOX_CONTENT,
+    MAILBOX_NAME,
+    MISALIGNED,
+    NEVER_RUNS,
+    NO_PORTS,
+    OF_VALUES,
+)
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS, HEXADECIMAL, filter_name
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
@@ -440,6 +450,8 @@ def _findings() -> Iterator[str]:
         for wrong, text in entry.words.items()
         if isinstance(wrong, Wrong) or wrong in (NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT)
     }
+    of_memory = {"MISALIGNED": MISALIGNED, "BEYOND_global": BEYOND_GLOBALS, "BEYOND_local": BEYOND_LOCALS}
+    words |= {name: Table([entry.code, entry.words[""].message]) for name, entry in of_memory.items()}
     yield _assign("FINDINGS", Rows(named=words))
     yield _assign("FILES", Table(named={"longer": transfers.LONGER, "incomplete": transfers.INCOMPLETE}))
     most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}

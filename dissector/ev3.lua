@@ -4006,9 +4006,9 @@ do
             size = SIZE_OF[DATA32]
         end
         if index % alignment ~= 0 then
-            local variable = argument_text(parameter, encoding, index)
-            local said = { name = parameter.name, variable = variable, step = alignment }
-            report(run, "misaligned", at, (phrases.finding("MISALIGNED", said)))
+            local text = argument_text(parameter, encoding, index)
+            local said = phrases.finding("MISALIGNED", { name = parameter.name, variable = text, step = alignment })
+            report(run, "misaligned", at, said)
         end
         local scope = encoding.kind == GLOBAL and "global" or "local"
         local asked = run[scope]
@@ -5457,10 +5457,8 @@ do
                     if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
                     local is_gap = stream.may_gap or step == "lost"
-                    step = "sure"
-                    if is_open or after == captured and not (plain or is_after) then
-                        step = is_gap and "lost" or "astray"
-                    end
+                    local is_sure = not is_open and (after < captured or plain or is_after)
+                    step = is_sure and "sure" or is_gap and "lost" or "astray"
                     if after > at then
                         local length = reading.unsigned16(text, at)
                         said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
@@ -6342,4 +6340,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: e3f23b14af55ca46
+-- Checksum of the lines above, by which a changed file is recognised: e1b31a76dcb41de5

@@ -112,9 +112,9 @@ do
             size = SIZE_OF[DATA32]
         end
         if index % alignment ~= 0 then
-            local variable = argument_text(parameter, encoding, index)
-            local said = { name = parameter.name, variable = variable, step = alignment }
-            report(run, "misaligned", at, (phrases.finding("MISALIGNED", said)))
+            local text = argument_text(parameter, encoding, index)
+            local said = phrases.finding("MISALIGNED", { name = parameter.name, variable = text, step = alignment })
+            report(run, "misaligned", at, said)
         end
         local scope = encoding.kind == GLOBAL and "global" or "local"
         local asked = run[scope]

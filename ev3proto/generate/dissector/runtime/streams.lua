@@ -220,10 +220,8 @@ do
                     if plain then after, is_open = stop, false end
                     plain = plain or may_be_text and plain_text(text, at, after)
                     local is_gap = stream.may_gap or step == "lost"
-                    step = "sure"
-                    if is_open or after == captured and not (plain or is_after) then
-                        step = is_gap and "lost" or "astray"
-                    end
+                    local is_sure = not is_open and (after < captured or plain or is_after)
+                    step = is_sure and "sure" or is_gap and "lost" or "astray"
                     if after > at then
                         local length = reading.unsigned16(text, at)
                         said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,

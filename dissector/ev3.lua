@@ -2871,8 +2871,8 @@ do
         local direction = row[3] == COUNT and row.elements or IN
         return made_late(function(number)
             local name = format("%s[%d]", list.name, number)
-            local of_one = { name, direction, type, any = row.any, reading = row.reading, field = declared, kind = kind }
-            local element = ready_parameter(of_one, name)
+            local one = { name, direction, type, any = row.any, reading = row.reading, field = declared, kind = kind }
+            local element = ready_parameter(one, name)
             element.label, element.numbered, element.number, element.alignment = name, name, number + 1, 1
             return element
         end)
@@ -3558,9 +3558,9 @@ do
     local GIVEN_UP = 1e9
 
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the type.
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, the bytes after the type.
     -- `of_packet` has the number for the first message of a packet, `others` for others, by place. Of few: `unsure`, by
-    -- number, if several commands waited; by place, `transfers`, the state of a file, and `locks`, that of a connection.
+    -- number, if several commands waited; by place, the `transfers` of files, and the `locks` of connections.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
     -- One string for equal bodies; conversations by key, the number of the newest one, and by packet that of its
@@ -3980,9 +3980,9 @@ do
     end
 
     -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
-    -- requested memory, `global` and `local`; the `operation`, its offset `at`, and the constants `stated` by its arguments;
-    -- what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` without a tree,
-    -- whether a variable `is_beyond` the memory, and the `outputs`.
+    -- requested memory, `global` and `local`; the `operation`, its offset `at`, and the constants `stated` by its
+    -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` without
+    -- a tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
     local function report(run, kind, at, text)
         local steps, complaints = run.steps, run.complaints
@@ -5328,7 +5328,7 @@ do
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
             return reason .. "; " .. phrases.filled(SLIPS.left_over, { bytes = phrases.plural(left_over, "byte") })
         elseif is_possible or is_gap then
-            return is_gap and "bytes that are in no frame, as after a gap in the capture" or "bytes that are in no frame"
+            return "bytes that are in no frame" .. (is_gap and ", as after a gap in the capture" or "")
         end
         return format(reason, length, MIN_LENGTH, MAX_LENGTH)
     end
@@ -5393,8 +5393,8 @@ do
     -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it, "text"
-    --              if the end of a text may come before; if a frame must be searched for, "lost" after a gap, else "astray"
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
+    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or "astray"
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
@@ -5449,8 +5449,8 @@ do
                         or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
                     local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
-                    after, is_open = next_step(
-                        sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
+                    local from, piece = was_lost and at or at + 1, sub(text, 1, stop)
+                    after, is_open = next_step(piece, from, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
                     local may_be_text = not was_lost and streaming.sure_places[place]
                     local plain = may_be_text and plain_text(text, at, stop)
@@ -6340,4 +6340,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: e1b31a76dcb41de5
+-- Checksum of the lines above, by which a changed file is recognised: 0788790dab266009

@@ -16,9 +16,9 @@ do
     local GIVEN_UP = 1e9
 
     -- By the number of a command that wants a reply, from 1: its place, that of its reply or false, its time in
-    -- nanoseconds or, once it is answered, the response time, its conversation until then, and the bytes after the type.
+    -- nanoseconds or, once it is answered, the response time, its conversation until then, the bytes after the type.
     -- `of_packet` has the number for the first message of a packet, `others` for others, by place. Of few: `unsure`, by
-    -- number, if several commands waited; by place, `transfers`, the state of a file, and `locks`, that of a connection.
+    -- number, if several commands waited; by place, the `transfers` of files, and the `locks` of connections.
     local asked, answers, times, bodies, owners, of_packet, others, unsure, transfers, locks, count
 
     -- One string for equal bodies; conversations by key, the number of the newest one, and by packet that of its

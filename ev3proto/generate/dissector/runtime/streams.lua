@@ -91,7 +91,7 @@ do
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
             return reason .. "; " .. phrases.filled(SLIPS.left_over, { bytes = phrases.plural(left_over, "byte") })
         elseif is_possible or is_gap then
-            return is_gap and "bytes that are in no frame, as after a gap in the capture" or "bytes that are in no frame"
+            return "bytes that are in no frame" .. (is_gap and ", as after a gap in the capture" or "")
         end
         return format(reason, length, MIN_LENGTH, MAX_LENGTH)
     end
@@ -156,8 +156,8 @@ do
     -- `stream` has
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
-    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it, "text"
-    --              if the end of a text may come before; if a frame must be searched for, "lost" after a gap, else "astray"
+    --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
+    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or "astray"
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
@@ -212,8 +212,8 @@ do
                         or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
                     local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
-                    after, is_open = next_step(
-                        sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, stream.joint)
+                    local from, piece = was_lost and at or at + 1, sub(text, 1, stop)
+                    after, is_open = next_step(piece, from, stream.accepts, least, stream.first, stream.joint)
                     if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
                     local may_be_text = not was_lost and streaming.sure_places[place]
                     local plain = may_be_text and plain_text(text, at, stop)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from ev3proto.messages import DirectCommand, SystemCommand
@@ -42,24 +42,30 @@ DANGERS = (
 )
 
 
-def dangers_of(frame: bytes, dialect: str) -> Counter[Danger]:
-    """Returns what the operations of a frame would do, as far as they can be read, or its system command.
+Act = tuple[Danger, str]
+"""A danger, and the name of the operation; no name where another operation makes nothing worse, as for motors."""
 
-    How often counts where one more would be worse, not for motors that turn anyway.
-    """
+
+def acts_of(frame: bytes, dialect: str) -> Counter[Act]:
+    """Returns what the operations of a frame would do, as far as they can be read, or its system command."""
     if len(frame) < HEADER_SIZE:
         return Counter()
     message = read_last(with_length(frame[LENGTH_FIELD:]), dialect)
-    acts: list[tuple[Effect, ...]] = []
+    found: list[tuple[str, tuple[Effect, ...]]] = []
     if isinstance(message, DirectCommand):
-        acts = [one.declaration.effects for one in message.operations if one.declaration.effects]
+        found = [(one.full_name, one.declaration.effects) for one in message.operations if one.declaration.effects]
     elif isinstance(message, SystemCommand) and message.number in SYSTEM_BY_NUMBER:
-        acts = [SYSTEM_BY_NUMBER[message.number].effects]
-    found = Counter(one for effects in acts for one in DANGERS if not one.effects.isdisjoint(effects))
-    return Counter({one: 1 if one.is_told else count for one, count in found.items()})
+        found = [("", SYSTEM_BY_NUMBER[message.number].effects)]
+    return Counter(_acts(found))
 
 
-def warning(dangers: Iterable[Danger]) -> str:
-    """Returns half a sentence about dangers, empty if there are none."""
-    words = [one.words for one in DANGERS if one in set(dangers)]
+def _acts(found: list[tuple[str, tuple[Effect, ...]]]) -> Iterator[Act]:
+    for one in DANGERS:
+        names = [name for name, effects in found if not one.effects.isdisjoint(effects)]
+        yield from {(one, "") for _ in names} if one.is_told else ((one, name) for name in names)
+
+
+def warning(acts: Iterable[Act]) -> str:
+    """Returns half a sentence about acts, empty if there are none."""
+    words = list(dict.fromkeys(one.words for one, _ in acts))
     return f"this would {', and '.join(words)}" if words else ""

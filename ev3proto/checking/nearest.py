@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from ev3proto.checking import codes
 from ev3proto.checking.checking import check
-from ev3proto.checking.dangers import dangers_of, warning
+from ev3proto.checking.dangers import acts_of, warning
 from ev3proto.checking.edits import (
     DIRECT,
     SYSTEM,
@@ -133,7 +133,7 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
 
 def _with_warning(report: Report, one: Suggestion) -> Suggestion:
     """Returns a suggestion that tells what it would do that the given frame does not."""
-    harm = warning(dangers_of(one.frame, report.dialect) - dangers_of(report.frame, report.dialect))
+    harm = warning(acts_of(one.frame, report.dialect) - acts_of(report.frame, report.dialect))
     return replace(one, message=f"{one.message}; {harm}", harm=harm) if harm else one
 
 
@@ -202,7 +202,7 @@ class _Search:
         self._report = report
         self._frame, self._dialect = report.frame, report.dialect
         self._unread, self._unchecked = _MOST_READ, _MOST_CHECKED
-        self._dangers = dangers_of(self._frame, self._dialect)
+        self._acts = acts_of(self._frame, self._dialect)
         self._known: dict[bytes, tuple[float, float]] = {}
 
     def suggestions(self) -> tuple[Suggestion, ...]:
@@ -259,10 +259,10 @@ class _Search:
                 price = candidate.price + (_WITH_MEMORY if is_moved else SLIPS["memory-size"].cost)
                 candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
         rarity, doubt = self._costs(candidate.frame, report)
-        dangers = dangers_of(candidate.frame, self._dialect) - self._dangers
-        doubt += candidate.price + sum([one.cost for one in dangers])
+        acts = acts_of(candidate.frame, self._dialect) - self._acts
+        doubt += candidate.price + sum({one: one.cost for one, _ in acts}.values())
         is_right = report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame))
-        is_right = is_right and (not self._report.accepted or all(one.is_told for one in dangers))
+        is_right = is_right and (not self._report.accepted or all(one.is_told for one, _ in acts))
         return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
 
     def _best(self, frame: bytes) -> list[_Judged]:

@@ -37,6 +37,7 @@ _LABELS = {LABEL_BYTE + code: width for code, width in ((0, 1), (1, 1), (2, 2), 
 _LCS = encode_string("")[0]
 _OLD_LCS = 0x80
 _LV0, _GV0 = (encode_variable(Variable(scope, 0))[0] for scope in (LOCAL, GLOBAL))
+_LARGE = 5000  # numbers above this one are rare
 _SHORT = 32  # numbers and indexes below this one are one byte
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32)
 ENDS = b"\r\n\0"
@@ -299,7 +300,7 @@ def _raw(place: Place) -> Iterator[tuple[str, int, int, float]]:
 
 def _oddness(number: int, width: int) -> float:
     """Returns the cost of a number that people rarely write in some bytes: negative, too large, or not round."""
-    return 1.0 * (number < 0) + 1.5 * (number >= 1 << 15 and width == 2) + 0.3 * (number % 5 > 0)
+    return 1.0 * (number < 0) + 1.0 * (abs(number) > _LARGE and width > 1) + 0.3 * (number % 5 > 0)
 
 
 def _width(place: Place) -> Iterator[Edit]:
@@ -307,7 +308,9 @@ def _width(place: Place) -> Iterator[Edit]:
     for other, width in _WIDTHS.items() if place.takes_number and first in _WIDTHS else ():
         if other != first:
             words = (*place.names, f"{first:02X}", f"{other:02X}", _WORDS[width])
-            yield Edit("width", place.at, place.at + 1, bytes((other,)), words, 1.0 if _LC4 in (first, other) else 0.0)
+            number = int.from_bytes(place.code.data[place.at + 1 : place.at + 1 + width], "little", signed=True)
+            extra = 1.0 * (_LC4 in (first, other)) + 1.0 * (abs(number) > _LARGE)
+            yield Edit("width", place.at, place.at + 1, bytes((other,)), words, extra)
 
 
 def _text(place: Place) -> Iterator[Edit]:

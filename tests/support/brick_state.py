@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ev3proto.brick import Brick
 
-_LEFT_OUT = ("code", "end", "ip", "local_size", "_deadline")
+_LEFT_OUT = ("code", "end", "ip", "local_size", "_deadline", "spent")
 """The command's own bytes, the memory that it requests, and the processor's time."""
 _PLAIN = (bytes, bytearray, str, int, float, type(None), Enum, Path)
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterator
+from itertools import product
 from typing import NamedTuple
 
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import LABEL_BYTE, encode_float, encode_integer, encode_string, encode_variable
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
-from ev3proto.schema.instructions import OperationSchema
+from ev3proto.schema.instructions import FamilySchema, OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
 from ev3proto.semantics.judgement import judge
@@ -140,13 +141,10 @@ _ORDERS = (
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:
     """Yields the frames whose digits of hex are the decimal digits of these bytes."""
-    size = len(frame)
-    length = (size - LENGTH_FIELD).to_bytes(LENGTH_FIELD, "little")
-    if size <= TYPE_AT or frame[0] not in (length[0], _as_decimal(length[0])) or frame[1] != length[1]:
-        return
-    if any(byte > _MOST_DECIMAL and f"{byte:02x}".isdigit() for byte in frame[TYPE_AT:]):
-        return
-    for one, extra in _from_decimals(length + frame[LENGTH_FIELD:]):
+    size, length = len(frame), sized(frame[LENGTH_FIELD:])[:LENGTH_FIELD]
+    is_length = frame[0] in (length[0], _as_decimal(length[0])) and frame[1] == length[1]
+    other = [byte for byte in frame[TYPE_AT:] if byte > _MOST_DECIMAL and f"{byte:02x}".isdigit()]
+    for one, extra in _from_decimals(length + frame[LENGTH_FIELD:]) if is_length and not other else ():
         changed = [at for at in range(TYPE_AT, size) if one[at] != frame[at]]
         if one[TYPE_AT] in _COMMANDS and (changed[:1] == [TYPE_AT] or len(changed) > 1):
             words = f"{one[changed[0]]:02X}", f"{frame[changed[0]]:02X}"
@@ -155,21 +153,23 @@ def _of_decimals(frame: bytes) -> Iterator[Edit]:
 
 def _from_decimals(frame: bytes) -> Iterator[tuple[bytes, float]]:
     """Yields frames with the bytes that the digits are in hex, and their cost: those with a letter may have stayed."""
-    words, texts = ({at for one in kind.finditer(frame) for at in range(*one.span())} for kind in (_WORD, _TEXT))
-    meant = {at: int(str(byte), 16) for at, byte in enumerate(frame) if at >= LENGTH_FIELD and byte <= _MOST_DECIMAL}
-    new, either = bytearray(frame), []
+    words, texts = _matched(_WORD, frame), _matched(_TEXT, frame)
+    places = [at for at in range(LENGTH_FIELD, len(frame)) if frame[at] <= _MOST_DECIMAL and at not in words]
+    meant = {at: int(str(frame[at]), 16) for at in places}
+    new = bytearray(frame)
     for at, byte in meant.items():
-        if at in words:
-            continue
         if f"{frame[at]:02x}".isdigit() or (at in texts and chr(byte).islower()):
             new[at] = byte
-        elif at >= TYPE_AT and at not in texts:
-            either.append(at)
-    for number in range(1 << min(len(either), _MOST_OPEN)):
+    either = [at for at in places if at >= TYPE_AT and at not in texts and new[at] != meant[at]][:_MOST_OPEN]
+    for choice in product(*[(new[at], meant[at]) for at in either]):
         one = bytearray(new)
-        for bit, at in enumerate(either[:_MOST_OPEN]):
-            one[at] = meant[at] if number >> bit & 1 else one[at]
-        yield bytes(one), 0.4 * number.bit_count()
+        for at, byte in zip(either, choice, strict=True):
+            one[at] = byte
+        yield bytes(one), 0.4 * sum(one[at] != new[at] for at in either)
+
+
+def _matched(kind: re.Pattern[bytes], frame: bytes) -> set[int]:
+    return {at for one in kind.finditer(frame) for at in range(*one.span())}
 
 
 def _as_decimal(byte: int) -> int:
@@ -553,21 +553,24 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
         yield Edit("end", start, start + 1, b"")
     if not code.data[start:].strip(ENDS):
         yield left_over(code.data, start)
-    if family is not None:
-        at = start + 1 + len(_PLACE)
-        other = family.short.get(code.data[at]) if at < len(code.data) else None
-        if other is not None and _begins_with_place(other):
-            new = code.data[at : at + 1] + code.data[start + 1 : at]
-            yield Edit("cmd-place", start + 1, at + 1, new, (family.opcode.name,))
-        for cmd in family.short:
-            yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (family.opcode.name,), guess=1)
     if reading.cost >= _SUSPICIOUS:
         yield from _other_opcodes(code, start)
-    if family is None and schema is not None and schema.declaration.parameters:
+    if family is not None:
+        yield from _of_cmd(code, start, family)
+    elif schema is not None and schema.declaration.parameters:
         for other in _shorter(code, schema):
             words = (schema.declaration.name, schema.declaration.parameters[-1].name, other.declaration.name)
             distance = abs(other.head[0] - schema.head[0])
             yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
+
+
+def _of_cmd(code: CommandCode, start: int, family: FamilySchema) -> Iterator[Edit]:
+    at, name = start + 1 + len(_PLACE), family.opcode.name
+    other = family.short.get(code.data[at]) if at < len(code.data) else None
+    if other is not None and _begins_with_place(other):
+        yield Edit("cmd-place", start + 1, at + 1, code.data[at : at + 1] + code.data[start + 1 : at], (name,))
+    for cmd in family.short:
+        yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (name,), guess=1)
 
 
 def _other_opcodes(code: CommandCode, start: int) -> Iterator[Edit]:

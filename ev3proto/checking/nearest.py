@@ -84,6 +84,7 @@ _WEIGHTS = {
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""
 _NO_SLIPS = frozenset(code for code, weight in _WEIGHTS.items() if code[0] == "E" and weight <= 1)
 _REFUSED = 6.0
+_BEYOND = {codes.BEYOND_LOCALS.code, codes.BEYOND_GLOBALS.code}
 
 
 _CHANGED = {"utf-8": 2, "text-mode": 2, "replaced": 3, "ascii": 1}
@@ -212,16 +213,19 @@ class _Search:
         if _is_reply(self._frame):
             # Any bytes are a reply, but only few are a command but for its type or its counter.
             doubt += min(len(self._frame) - HEADER_SIZE, _MOST_OF_REPLY)
-        found = self._best(self._frame)
-        right = [one for one in found if one.is_right and not (is_good_reply and _is_reply(one.candidate.frame))]
-        if doubt >= _MOST_OF_FIRST and (not right or right[0].doubt > _MOST_OF_FIRST or _kind(right[0]) in HABITS):
-            habits = list(self._habits())
-            right = sorted([*(_once(one, habits) for one in right), *habits], key=_by_cost)
+        right = [one for one in self._right(doubt) if not (is_good_reply and _is_reply(one.candidate.frame))]
         if not right or right[0].cost > rarity + doubt - _MARGIN or right[0].doubt > _MOST:
             return ()
-        others = [one for one in right if one.cost <= right[0].cost + _TIE and _place(one) != _place(right[0])]
-        is_clear = all(one.cost > right[0].cost + _CLEAR for one in right[1:])
-        return tuple(_suggestion(one, is_clear=is_clear) for one in (right[0], *others[:1]))
+        return _told(right)
+
+    def _right(self, doubt: float) -> list[_Judged]:
+        """Returns the right candidates, the best first, for a frame that costs as much as it is in doubt."""
+        right = [one for one in self._best(self._frame) if one.is_right]
+        is_found = bool(right) and right[0].doubt <= _MOST_OF_FIRST and _kind(right[0]) not in HABITS
+        if doubt < _MOST_OF_FIRST or is_found:
+            return right
+        habits = list(self._habits())
+        return sorted([*(_once(one, habits) for one in right), *habits], key=_by_cost)
 
     # Judging
 
@@ -249,10 +253,7 @@ class _Search:
 
     def _judged(self, candidate: _Candidate) -> _Judged:
         report = self._check(candidate.frame)
-        if report.errors and {finding.code for finding in report.errors} <= {
-            codes.BEYOND_LOCALS.code,
-            codes.BEYOND_GLOBALS.code,
-        }:
+        if report.errors and {finding.code for finding in report.errors} <= _BEYOND:
             is_moved = candidate.edits[0].kind == "scope"  # from local memory, which is not needed then
             fitted = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
             if fitted != candidate.frame:
@@ -261,9 +262,9 @@ class _Search:
         rarity, doubt = self._costs(candidate.frame, report)
         acts = acts_of(candidate.frame, self._dialect) - self._acts
         doubt += candidate.price + sum({one: one.cost for one, _ in acts}.values())
-        is_right = report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame))
-        is_right = is_right and (not self._report.accepted or all(one.is_told for one, _ in acts))
-        return _Judged(rarity + doubt, doubt, candidate, is_right and not report.errors)
+        is_right = not report.errors and (report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame)))
+        is_worse = self._report.accepted and not all(one.is_told for one, _ in acts)
+        return _Judged(rarity + doubt, doubt, candidate, is_right and not is_worse)
 
     def _best(self, frame: bytes) -> list[_Judged]:
         """Returns the best candidates one edit away, as `check` judges them."""
@@ -428,6 +429,14 @@ def _is_reply(frame: bytes) -> bool:
 
 def _by_cost(one: _Judged) -> float:
     return one.cost
+
+
+def _told(right: list[_Judged]) -> tuple[Suggestion, ...]:
+    """Returns the first of some right candidates, and another one that is as likely."""
+    best = right[0]
+    others = [one for one in right if one.cost <= best.cost + _TIE and _place(one) != _place(best)]
+    is_clear = all(one.cost > best.cost + _CLEAR for one in right[1:])
+    return tuple(_suggestion(one, is_clear=is_clear) for one in (best, *others[:1]))
 
 
 def _kind(one: _Judged) -> str:

@@ -63,15 +63,17 @@ def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]
     chosen: dict[MotorAt, CheckedOperation] = {}
     running: dict[MotorAt, CheckedOperation] = {}
     for operation, ports in operations:
+        idle = [port for port in ports or () if port not in running]
         if operation.name in _DRIVES:
-            others = [running[port] for port in ports or () if port in running and running[port].name != operation.name]
-            for other in others[:1]:
+            others = [running[port] for port in ports or () if port in running]
+            other = next((one for one in others if one.name != operation.name), None)
+            if other is not None:
                 parts = {"other": other.name, "at": other.start, "opcode": codes.opcode(other.name)}
                 yield operation.finding(codes.OTHER_DRIVE, **parts)
-            chosen.update({port: operation for port in ports or () if port not in running})
+            chosen.update(dict.fromkeys(idle, operation))
         elif operation.has(Effect.STARTS_MOTORS):
-            running.update({port: chosen[port] for port in ports or () if port in chosen and port not in running})
-        elif operation.has(Effect.STOPS_MOTORS) or operation.has(Effect.STARTS_MOVE):
+            running.update({port: chosen[port] for port in idle if port in chosen})
+        elif any(map(operation.has, (Effect.STOPS_MOTORS, Effect.STARTS_MOVE))):
             _forget(running, ports)
             _forget(chosen, ports)
 
@@ -99,9 +101,9 @@ def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footpr
     taken = Taken((place.start, place.end) for _, place in shared)
     for operation, place in shared:
         end = place.start + _FLOAT
-        larger = _LARGER.get(operation.name)
-        if larger is None or not place.facts.is_written or place.size != 1 or place.start % _FLOAT:
+        is_byte = place.facts.is_written and place.size == 1 and not place.start % _FLOAT
+        if not is_byte or operation.name not in _LARGER:
             continue
         if end <= message.global_size and not taken.has_some_of(place.start + 1, end):
-            parts = {"first": place.start + 1, "last": end - 1, "larger": larger}
+            parts = {"first": place.start + 1, "last": end - 1, "larger": _LARGER[operation.name]}
             yield operation.finding_of(codes.PARTLY_WRITTEN, place.argument, **parts)

@@ -47,7 +47,7 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
     stated, follow = frame_size(frame) - LENGTH_FIELD, size - LENGTH_FIELD
     most = context.most
     parts = {"stated": f"{counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'}", "follow": follow}
-    if size > most and (stated == follow or stated + LENGTH_FIELD > most):
+    if min(size, stated + LENGTH_FIELD) > most:
         yield codes.TOO_LONG.at(most, size - most, most=most, on=" on USB" if may_be_long(frame) else "", size=size)
     elif stated > follow:
         yield codes.INCOMPLETE.at(0, LENGTH_FIELD, missing=counted(stated - follow, "missing byte"), **parts)
@@ -151,16 +151,22 @@ def _fields(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Findin
         if value is None:
             return
         size = _size(field, value)
-        if isinstance(value, int) and entry.transfer == _OPENED and value > FLASH_SIZE:
-            yield codes.FILE_TOO_LARGE.at(at, size, owner=entry.name, name=field.name, value=value)
-        elif field.most is not None and size > field.most:
+        if field.most is not None and size > field.most:
             parts = {"bytes": counted(size, "byte"), "most": field.most, "over": size - field.most}
             yield codes.FIELD_TOO_LONG.at(at, size, owner=entry.name, name=field.name, **parts)
+        if isinstance(value, int):
+            yield from _number(at, value, entry, field)
         if field.name == _PATH and isinstance(value, str):
             yield from _path(at, value, entry)
         if field.is_message and isinstance(value, bytes):
             yield from _mailbox(at, value, str(command.fields[_NAME]), entry, field.name)
         at += size
+
+
+def _number(at: int, value: int, entry: SystemDeclaration, field: SystemField) -> Iterator[Finding]:
+    """Checks the size of a file."""
+    if entry.transfer == _OPENED and value > FLASH_SIZE:
+        yield codes.FILE_TOO_LARGE.at(at, _size(field, value), owner=entry.name, name=field.name, value=value)
 
 
 def _size(field: SystemField, value: int | str | bytes) -> int:

@@ -96,27 +96,31 @@ def _furthest(place: Footprint) -> int:
 def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
     """Yields what is wrong with the place of a variable."""
     operation, place = use
-    start, end = place.start, place.end
     multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
-    if start % multiple:
-        is_refused = start % place.facts.validator_alignment != 0
-        step = place.facts.validator_alignment if is_refused else multiple
-        variable = Variable(GLOBAL if place.is_global else LOCAL, start)
-        code = codes.MISALIGNED if is_refused else codes.UNALIGNED
-        yield operation.finding_of(code, place.argument, variable=variable, step=step, multiple=multiple)
-    if end > asked:
-        scope, room = GLOBAL if place.is_global else LOCAL, start + place.reserved
-        most = MEMORY_LIMITS[scope]
-        more = f"request {counted(room, 'byte')} of {scope} memory, or " if room <= most else ""
-        parts = {
-            "bytes": f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}",
-            "scope": scope,
-            "asked": f"{counted(asked, 'byte')} of" if asked else "no",
-            "more": more,
-            "limit": "" if more else f"; {scope} memory has at most {counted(most, 'byte')}",
-        }
-        code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
-        yield operation.finding_of(code, place.argument, **parts)
+    if place.start % multiple:
+        is_refused = place.start % place.facts.validator_alignment != 0
+        code, step = codes.UNALIGNED, multiple
+        if is_refused:
+            code, step = codes.MISALIGNED, place.facts.validator_alignment
+        yield operation.finding_of(code, place.argument, variable=place.variable, step=step, multiple=multiple)
+    if place.end > asked:
+        yield _beyond(operation, place, asked)
+
+
+def _beyond(operation: CheckedOperation, place: Footprint, asked: int) -> Finding:
+    """Returns the finding about a variable beyond the requested memory."""
+    start, end, scope = place.start, place.end, GLOBAL if place.is_global else LOCAL
+    room, most = start + place.reserved, MEMORY_LIMITS[scope]
+    more = f"request {counted(room, 'byte')} of {scope} memory, or " if room <= most else ""
+    parts = {
+        "bytes": f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}",
+        "scope": scope,
+        "asked": f"{counted(asked, 'byte')} of" if asked else "no",
+        "more": more,
+        "limit": "" if more else f"; {scope} memory has at most {counted(most, 'byte')}",
+    }
+    code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
+    return operation.finding_of(code, place.argument, **parts)
 
 
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:

@@ -26,7 +26,7 @@ export const deflated = async (content) => {
 };
 
 /** @param {string} text */
-const packed = async (text) => ("CompressionStream" in globalThis ? `#z=${await deflated(text)}` : null);
+const packed = async (text) => `#z=${await deflated(text)}`;
 
 /** @param {string} fragment */
 const isShort = (fragment) => location.href.split("#")[0].length + fragment.length <= MOST_LINK;
@@ -36,15 +36,13 @@ export const fragmentOf = async (text) => {
   if (!text) return "";
   if (text.length <= MOST_TEXT) return plain(text);
   const found = await packed(text);
-  return found && isShort(found) ? found : "";
+  return isShort(found) ? found : "";
 };
 
 /** The shortest link to a text; null if there is none. @param {string} text */
 export const linkTo = async (text) => {
-  const found = [text.length <= MOST_TEXT ? plain(text) : null, await packed(text)].filter((it) => it !== null).filter(isShort);
-  if (!found.length) return null;
-  const shortest = found.reduce((one, other) => (other.length < one.length ? other : one));
-  return location.href.split("#")[0] + shortest;
+  const [shortest = ""] = [plain(text), await packed(text)].sort((one, other) => one.length - other.length);
+  return isShort(shortest) ? location.href.split("#")[0] + shortest : null;
 };
 
 /** The text of a fragment; null if it has none. Throws an Error with a sentence if it cannot be read. @param {string} fragment */
@@ -59,7 +57,6 @@ export const textOf = async (fragment) => {
 
 /** Returns what was deflated. @param {string} given  in base64url @param {number} most  bytes */
 export const inflated = async (given, most) => {
-  if (!("DecompressionStream" in globalThis)) throw new Error("This browser cannot read the link: it lacks DecompressionStream.");
   const parts = [];
   let size = 0;
   try {

@@ -22,10 +22,10 @@ from urllib.request import urlopen
 import pytest
 from selenium.common.exceptions import TimeoutException
 from selenium.webdriver import ActionChains, Chrome, Keys
-from selenium.webdriver.common.actions.action_builder import ActionBuilder
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import Select
 from support.browser import chromium, complaints, emulated, scrolls_sideways
+from support.cases import each
 from support.cli import run_ev3proto
 from support.pictures import PLAYGROUND, open_playground
 from support.playground import Page, fragment, put_fakes, served_site
@@ -608,25 +608,22 @@ _DROP_BYTES = """
 """Drops a file of zeros, or of noise: its name, its size in bytes, whether it is noise."""
 
 
-def test_a_refused_file_says_so_and_nothing_older_is_left(page: Page) -> None:
-    for name, size, said in (
+@each(
+    "name, size, said",
+    [
         ("nothing.pcapng", 0, "nothing.pcapng is empty."),
         ("class.pcapng", 33_000_000, "class.pcapng has 33.0 MB, and this page reads at most 32 MB"),
-    ):
-        page.read(TONE)
-        page.run(_DROP_BYTES, name, size, False)
-        page.wait(lambda said=said: said in page.text("error"))
-        assert (
-            page.input
-            == page.text("tree")
-            == page.text("findings")
-            == page.text("sentence")
-            == page.text("frame")
-            == ""
-        )
-        # It can be undone.
-        page.browser.find_element(By.ID, "input").send_keys(Keys.CONTROL, "z")
-        page.wait(lambda: page.input == TONE and not page.text("error"))
+    ],
+)
+def test_a_refused_file_says_so_and_nothing_older_is_left(page: Page, name: str, size: int, said: str) -> None:
+    page.read(TONE)
+    page.run(_DROP_BYTES, name, size, False)
+    page.wait(lambda: said in page.text("error"))
+    shown = [page.input, *(page.text(name) for name in ("tree", "findings", "sentence", "frame"))]
+    assert shown == [""] * 5
+    # It can be undone.
+    page.browser.find_element(By.ID, "input").send_keys(Keys.CONTROL, "z")
+    page.wait(lambda: page.input == TONE and not page.text("error"))
 
 
 def test_the_input_outlives_a_reload(page: Page) -> None:
@@ -686,9 +683,8 @@ def test_a_long_capture_has_pages_and_a_finding_opens_its_own(page: Page, tmp_pa
     assert "UI_READ.GET_VBATT" not in page.text("tree")
     # Its finding is shown on every page, and opens the frame on its own.
     # By keyboard, with the mouse beside everything: what is under it after the page has moved would be marked.
-    mouse = ActionBuilder(page.browser)
-    mouse.pointer_action.move_to_location(1, 1)
-    mouse.perform()
+    title = page.browser.find_element(By.TAG_NAME, "h1")
+    ActionChains(page.browser).move_to_element(title).move_by_offset(-title.size["width"] // 2 - 10, 0).perform()
     page.browser.find_element(By.CSS_SELECTOR, "#findings .error").send_keys(Keys.ENTER)
     page.wait(lambda: page.text("shown-frames") == "Frames 801 to 1,000 of 1,001")
     page.wait(lambda: page.texts("#tree .chosen") == ["     9    VALUE = GV(1)  GV0: voltage\n"])

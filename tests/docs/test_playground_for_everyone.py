@@ -108,6 +108,11 @@ def tip(page: Page) -> str:
     return page.text("tip") if page.is_shown("tip") else ""
 
 
+def wait_for_tip(page: Page, said: str) -> None:
+    """Waits for an explanation with these words."""
+    page.wait(lambda: said in tip(page))
+
+
 WORDS = {
     "//h2/button[text()='Check']": "What a brick would say to this: each error, warning and hint",
     "//h2/button[text()='Read']": "What each byte means.",
@@ -128,7 +133,7 @@ def test_words_explain_themselves_where_they_are(page: Page) -> None:
     for path, said in WORDS.items():
         element = page.browser.find_element(By.XPATH, path)
         ActionChains(page.browser).scroll_to_element(element).move_to_element(element).perform()
-        page.wait(lambda said=said: said in tip(page))
+        wait_for_tip(page, said)
         assert not scrolls_sideways(page.browser)
         ActionChains(page.browser).move_to_element(page.browser.find_element(By.TAG_NAME, "h1")).perform()
         page.wait(lambda: not tip(page))
@@ -144,7 +149,7 @@ def test_words_explain_themselves_where_they_are(page: Page) -> None:
     with emulated(page.browser, 390, 844, is_phone=True):
         for path, said in WORDS.items():
             page.run("arguments[0].click()", page.browser.find_element(By.XPATH, path))
-            page.wait(lambda said=said: said in tip(page))
+            wait_for_tip(page, said)
             box = page.run("const { left, right } = tip.getBoundingClientRect(); return [left, right]")
             assert 0 <= box[0] < box[1] <= 390
 
@@ -241,9 +246,10 @@ def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> Non
             page.click("stop-motors")
             page.wait(lambda: "OUTPUT_STOP" in page.text("answer"))
     # It follows the window: with less room it is under the headline, with more beside the input again.
-    for width, home in ((390, "write"), (1400, "bench")):
-        with emulated(browser, width, 900):
-            page.wait(lambda home=home: page.run("return effect.parentElement.id") == home)
+    parent = "return effect.parentElement.id"
+    with emulated(browser, 390, 900):
+        page.wait(lambda: page.run(parent) == "write")
+    page.wait(lambda: page.run(parent) == "bench")
 
 
 def in_sight(page: Page) -> set[str]:

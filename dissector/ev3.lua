@@ -3981,8 +3981,8 @@ do
 
     -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
     -- requested memory, `global` and `local`; the `operation`, its offset `at`, and the constants `stated` by its
-    -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` if there
-    -- is no tree, whether a variable `is_beyond` the memory, and the `outputs`.
+    -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
+    -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
     local function report(run, kind, at, text)
         local steps, complaints = run.steps, run.complaints
@@ -6340,4 +6340,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: d8c81b01fea0d792
+-- Checksum of the lines above, by which a changed file is recognised: 8bca9fd8d056bf63

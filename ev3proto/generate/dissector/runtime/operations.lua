@@ -87,8 +87,8 @@ do
 
     -- Functions below share a `run` of reading operations: the `text`; the `steps`, nil if they are not wanted; the
     -- requested memory, `global` and `local`; the `operation`, its offset `at`, and the constants `stated` by its
-    -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` if there
-    -- is no tree, whether a variable `is_beyond` the memory, and the `outputs`.
+    -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
+    -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
     local function report(run, kind, at, text)
         local steps, complaints = run.steps, run.complaints

@@ -244,7 +244,8 @@ def told(row: Row) -> str | None:
 
 def _is_dull(run: Run, part: Part) -> bool:
     """Returns whether bytes are a text, a digest, or too much alike for operations."""
-    return (len(run.elements) > 1 and len({*part.data}) < LEAST - 1) or _is_digest(part, part.data)
+    is_text = run.elements[0].kind == "string" and max(part.data) <= _MOST_LOW
+    return is_text or (len(run.elements) > 1 and len({*part.data}) < LEAST - 1) or _is_digest(part, part.data)
 
 
 def _is_data(row: Row, run: Run, data: bytes) -> bool:

@@ -14,7 +14,7 @@ from itertools import chain
 
 from ev3proto.schema.frame import is_flawless, parse
 from ev3proto.schema.header import frame_end
-from ev3proto.semantics.identify import LOOKS, identify
+from ev3proto.semantics.identify import identify
 from ev3proto.text.paste.elements import BYTES, EXPRESSION, TextElement, clean, unknown_bytes
 from ev3proto.text.paste.frames import FrameSpan, is_carried, is_whole
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
@@ -50,7 +50,6 @@ _TIME_FIRST = re.compile(r"(?:\W?(?:[\d/-]+[T ])?\d\d:\d\d:\d\d(?!:)\S*\s+(?:\d{
 _SHORT = 40
 """Characters of a line that may have just one of the bytes of a frame."""
 _CHECK_SUM = re.compile(r"\s+(?:FCS: 0x|RFCOMM.* fcs 0x)([0-9a-fA-F]{2})\b")
-_ASSIGNED = re.compile(r"\W*\w+\s?\[\w+\]\s?=")
 _AGAIN = re.compile(r"\s*\+\d+ \| | \| 0[0-9a-f]{4}  ")
 """Lines that show the frame above them again: `check` under a finding, `strace -e write` below a call."""
 _MOST_AROUND = 2000
@@ -464,7 +463,7 @@ def _spans_rows(reading: Reading, rows: list[Row]) -> bool:
 
 
 def _is_meant(data: bytes) -> bool:
-    return len(data) >= LOOKS and identify(data, missing=False).is_meant
+    return identify(data, missing=False).is_meant
 
 
 def _extents(
@@ -492,7 +491,7 @@ def _end_of_rest(reading: Reading, part: Part, at: int, follows: int, lines: dic
     data, run = part.data, reading.run
     if reading.base == "words" and not any(data[at:follows]):
         return at
-    if follows == len(data) and _is_rest(reading, part, at, lines):
+    if _is_rest(reading, part, at, lines):
         return follows
     place = bisect_left(run.breaks, part.first + bisect_left(part.offsets, at))
     ends = (part.offsets[place - part.first] for place in run.breaks[place : place + 1] if place < part.last)
@@ -510,7 +509,7 @@ def _is_rest(reading: Reading, part: Part, start: int, lines: dict[int, str]) ->
         one.kind in ("digits", "marked") and _BESIDE.fullmatch(one.gap) and len(one.text) % 2 == 0 for one in rest
     )
     last = reading.run.elements[part.last - 1]
-    return is_bare and part.last == len(reading.run.elements) and not lines[last.line][last.end :].strip(AROUND)
+    return is_bare and not lines[last.line][last.end :].strip(AROUND)
 
 
 def _follows(elements: Sequence[TextElement]) -> Pasted:
@@ -536,11 +535,10 @@ def _rest_of(block: Block) -> Iterator[Pasted]:
 def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     """Returns the bytes in a row below a frame that is complete without them, but is written like them."""
     ended, first = rows[-1], reading.run.elements[reading.parts[0][0].first]
-    starts = [one.start >= first.start for one in ended.elements] if len(rows) == 1 else []
-    place = starts.index(True) if True in starts else 0
-    if row.number != ended.number + 1 or len(row.elements) <= place or row.front(place) != ended.front(place):
+    place = next((at for at, one in enumerate(ended.elements) if one.start >= first.start), 0)
+    if len(row.elements) <= place or row.front(place) != ended.front(place):
         return None
-    is_dump = (row.is_bare or row.front(place).endswith((":", ">"))) and not row.after.strip(AROUND)
+    is_dump = not row.after.strip(AROUND)
     return (
         _follows(row.elements[place:]) if is_dump and _are_like(row.elements[place:], ended.elements[place:]) else None
     )
@@ -550,6 +548,4 @@ def _are_like(elements: Sequence[TextElement], others: Sequence[TextElement]) ->
     """Returns whether elements are written like others, and are hardly a word or zeros."""
     widths, usual = ({len(one.text) for one in some} for some in (elements, others))
     is_zero = not "".join(one.text for one in elements).strip("0x, ")
-    if is_zero or len(elements) > len(others) or any(one.text.isupper() and len(one.text) > 4 for one in elements):
-        return False
-    return widths <= usual or (1 in usual and max(widths) <= max(usual))
+    return not is_zero and widths <= usual

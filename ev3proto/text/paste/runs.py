@@ -124,7 +124,7 @@ class Run:
     def _is_like(self, place: int, last: int, length: int) -> bool:
         """Returns whether an element may be of one kind with the one in front of it: no string, offset, or literal."""
         first, second = self.elements[place - 1 : place + 1]
-        is_offset = place == 1 and last >= max(4, length + 1) and length > 0
+        is_offset = place == 1 and last >= max(4, length + 1)
         is_literal = min(last, length) >= 2 * LEAST and re.search("[\"'`,]", second.gap) is not None
         is_longer = min(last, length) < LEAST <= max(last, length) // 2
         return (first.kind == "string") == (second.kind == "string") and not (is_offset or is_literal or is_longer)
@@ -145,8 +145,8 @@ class Run:
     def is_torn(self, part: Part) -> bool:
         """Returns whether elements before or behind a part are written like those in it, but have no bytes."""
         before, after = part.first - 1, part.last
-        is_torn = before >= 0 and self.widths[before] > 0 and not has_place(self.breaks, part.first)
-        return is_torn or (after < len(self.widths) and self.widths[after] > 0 and not has_place(self.breaks, after))
+        is_torn = before >= 0 and not has_place(self.breaks, part.first)
+        return is_torn or (after < len(self.widths) and not has_place(self.breaks, after))
 
     def is_cut(self, part: Part) -> bool:
         """Returns whether the text says behind a part that more bytes existed."""
@@ -158,8 +158,7 @@ class Run:
 
     def between_breaks(self, part: Part) -> Iterator[tuple[int, int]]:
         """Yields where the bytes between two breaks begin and end."""
-        places = pairwise((0, *part.inside(self.breaks), len(part.data)))
-        return ((start, end) for start, end in places if start < end)
+        return pairwise((0, *part.inside(self.breaks), len(part.data)))
 
     def span(self, part: Part, start: int, end: int) -> tuple[TextElement, TextElement]:
         """Returns the first and the last element of some bytes."""
@@ -244,8 +243,7 @@ class Row:
     @cached_property
     def runs(self) -> list[Run]:
         """The runs of its elements, which are tried with the rows above, alone, and for what is nearly a frame."""
-        elements = self.elements[1:] if self.is_offset else self.elements
-        return list(_of_elements(elements)) if elements else []
+        return list(_of_elements(self.elements)) if self.elements else []
 
     def of_line(self) -> Iterator[Run]:
         """Yields all runs in the line."""
@@ -267,16 +265,6 @@ class Row:
             return False
         text = self.elements[0].text.removeprefix("0x")
         return len(text) >= 4 and not text.strip("0") and self.is_bare
-
-    @cached_property
-    def _gaps(self) -> dict[int, tuple[str, str]]:
-        values = [one for one in self.elements if one.kind != "cut"]
-        afters = [one.gap for one in values[1:]] + [self.after]
-        return {one.start: (one.gap, after) for one, after in zip(values, afters, strict=True)}
-
-    def around(self, element: TextElement) -> tuple[str, str]:
-        """Returns what is in front of an element and behind it, without comments and casts."""
-        return self._gaps.get(element.start, ("", "")) if self.elements else ("", self.after)
 
     def front(self, place: int) -> str:
         """Returns what is in front of an element, without the digits in it."""
@@ -315,7 +303,7 @@ class Row:
         if self.is_bare and (last.is_bare or last.is_open):
             # Where all elements have two digits, one that has one is no more of them.
             return not (last.widths == {2} and 1 in self.widths and len(last.elements) >= LEAST)
-        if len(self.elements) > 1 and self.ends == last.ends:
+        if self.ends == last.ends:
             return True  # columns, with a word in front of the first row
         fewest = min(len(self.elements), len(last.elements))
         return self.is_bare == last.is_bare and any(self.front(at) == last.front(at) for at in places if at < fewest)
@@ -323,12 +311,11 @@ class Row:
 
 def _without_text(line: str, elements: list[TextElement]) -> list[TextElement]:
     """Drops what is in the column of text: as many characters as there are bytes, each of them the byte's."""
-    is_bits = len(elements) > 1 and len(elements[1].text) == 8 and not elements[1].text.strip("01")
+    is_bits = len(elements) > 1 and len(elements[1].text) == 8
     for first in (1, 0):
         data = bytearray()
         for place in range(first, min(len(elements), _MOST_IN_ROW)):
-            is_value = elements[place].kind in ("digits", "marked")
-            value = BYTES["bits" if is_bits else "hex"][elements[place].text] if is_value else None
+            value = BYTES["bits" if is_bits else "hex"][elements[place].text]
             if value is None:
                 break
             data += value
@@ -339,16 +326,13 @@ def _without_text(line: str, elements: list[TextElement]) -> list[TextElement]:
 
 def _is_column(rest: str, data: bytearray, place: int) -> bool:
     """Returns whether the rest of a line is the column of text behind bytes."""
-    if not rest[:1].isspace():
-        return False
-    is_apart = rest[:2].isspace() or rest[1:2] in ("|", ">", "(") or (place >= _COLUMN and "." in rest)
+    is_apart = rest[:2].isspace() or (place >= _COLUMN and "." in rest)
     return is_apart and _shows(rest.strip(), data)
 
 
 def _shows(text: str, data: bytearray) -> bool:
     """Returns whether a text has the characters of bytes."""
-    text = text.rstrip("|").rstrip() if text[:1] != "|" else text
-    shown = text[1:-1] if len(text) > 2 and text[0] in "|>(" and text[-1] in "|<)" else text
+    shown = text[1:-1] if text[:1] in ("|", ">", "(") else text.rstrip("| ")
     shown = "".join(shown.split())
     known = [byte for byte in data if byte != 0x20]
     return len(shown) == len(known) and all(
@@ -381,7 +365,7 @@ def openings(row: Row) -> list[int]:
     run = Run(row.elements)
     found = {place for place, one in enumerate(row.elements) if unknown_bytes(one)[:1] == [True]}
     # The bytes go on to the end of the line: no words are among them.
-    start = max((place for place, one in enumerate(row.elements) if place and _WORD.search(one.gap)), default=0)
+    start = max((place for place, one in enumerate(row.elements) if _WORD.search(one.gap)), default=0)
     parts = (part for base in run.bases for part in run.parts(base))
     breaks = {0, *run.breaks}
     found |= {place for part in parts for place in _openings_of(part, breaks)}
@@ -394,7 +378,7 @@ def _openings_of(part: Part, breaks: set[int]) -> Iterator[int]:
     if part.first in breaks and may_begin_wrong(part.data):
         yield part.first
     for place, at in zip(range(part.first, part.last), part.offsets, strict=False):
-        if may_begin(part.data, at) or ((not at or place in breaks) and is_whole(part.data, at)):
+        if may_begin(part.data, at) or (place in breaks and is_whole(part.data, at)):
             yield place
 
 

@@ -18,7 +18,7 @@ const list = find("brick-list"), place = find("brick-path"), box = find("brick-f
 export const brickFiles = (python, isAllowed) => {
   let folder = HOME;
   /** @param {string} action @param {string} path @param {Uint8Array} [data] */
-  const act = (action, path, data = new Uint8Array()) => python().ask("files", action, path, data);
+  const act = (action, path, data = new Uint8Array()) => python().ask("real", "files", action, path, data);
   /** @param {string} path */
   const open = (path) => {
     folder = path;
@@ -29,8 +29,8 @@ export const brickFiles = (python, isAllowed) => {
 
   /** Asks, as before a command of the input. @param {string} action @param {string} text */
   const panel = async (action, text) => {
-    let said = await python().ask("panel", action, text, false);
-    if (said.ask && await isAllowed(said.ask)) said = await python().ask("panel", action, text, true);
+    let said = await python().ask("real", "panel", action, text, false);
+    if (said.ask && await isAllowed(said.ask)) said = await python().ask("real", "panel", action, text, true);
     change({ error: said.error ?? "" });
   };
 

@@ -100,12 +100,12 @@ export const realBrick = (python) => {
 
   /** @type {import("./carriers.js").To} */
   const to = {
-    heard: (bytes, at) => { python().ask("heard", bytes, at); },
+    heard: (bytes, at) => { python().ask("real", "heard", bytes, at); },
     gone: (reason) => {
       wire = null;
       showState();
       status(`The connection ended: ${reason}.`);
-      python().ask("gone", reason);
+      python().ask("real", "gone", reason);
     },
   };
 
@@ -129,7 +129,7 @@ export const realBrick = (python) => {
       find("recorded").hidden = false;
       connected = `Connected by ${wire.kind === "usb" ? "USB" : "Bluetooth"} to ${wire.label}. What you send goes to it.`;
       status(connected);
-      if (watch.checked) await python().ask("watch", true);
+      if (watch.checked) await python().ask("real", "watch", true);
     } catch (error) {
       wire = null;
       showState();
@@ -144,7 +144,7 @@ export const realBrick = (python) => {
   let left = () => {};
   /** @param {boolean} leaves  whether what was opened on the brick is closed first */
   const disconnect = async (leaves) => {
-    if (leaves && await python().ask("leave")) {
+    if (leaves && await python().ask("real", "leave")) {
       await new Promise((resolve) => {
         left = () => resolve(null);
         setTimeout(left, LEAVING);
@@ -156,7 +156,7 @@ export const realBrick = (python) => {
     isNew = true;
     showState();
     status(NONE);
-    python().ask("gone", "you disconnected");
+    python().ask("real", "gone", "you disconnected");
     await closing?.close();
   };
   find("disconnect").onclick = () => disconnect(true);
@@ -217,13 +217,13 @@ export const realBrick = (python) => {
   watch.onchange = () => {
     find("facts").hidden = !watch.checked;
     remember(QUIET, watch.checked ? null : "yes");
-    if (wire) python().ask("watch", watch.checked);
+    if (wire) python().ask("real", "watch", watch.checked);
   };
 
   // The recording
 
   find("record").onclick = async () => {
-    const text = await python().ask("record");
+    const text = await python().ask("real", "record");
     const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
     saveAs("ev3.pcapng", new Blob([bytes], { type: "application/x-pcapng" }));
   };
@@ -232,7 +232,7 @@ export const realBrick = (python) => {
 
   find("compare").onclick = async () => {
     if (state().isComparing) {
-      await python().ask("end_comparison");
+      await python().ask("real", "end_comparison");
       return;
     }
     change({ isComparing: true });
@@ -240,7 +240,7 @@ export const realBrick = (python) => {
     find("comparison").hidden = false;
     find("comparison").textContent = "Comparing …";
     const found = await fetch(new URL(CAPTURE, import.meta.url));
-    await python().ask("compare", new Uint8Array(await found.arrayBuffer()), find("computes", HTMLInputElement).checked);
+    await python().ask("real", "compare", new Uint8Array(await found.arrayBuffer()), find("computes", HTMLInputElement).checked);
   };
   /** @param {Comparison} found */
   const showComparison = (found) => {
@@ -284,10 +284,10 @@ export const realBrick = (python) => {
 
   /** @type {Real["send"]} */
   const send = async (given) => {
-    let said = await python().ask("talk", JSON.stringify(given), false);
+    let said = await python().ask("real", "talk", JSON.stringify(given), false);
     if (said.ask) {
       if (!await isAllowed(said.ask)) return { isSent: false, error: "" };
-      said = await python().ask("talk", JSON.stringify(given), true);
+      said = await python().ask("real", "talk", JSON.stringify(given), true);
     }
     return { isSent: !said.error, error: said.error ?? "" };
   };
@@ -295,7 +295,7 @@ export const realBrick = (python) => {
   /** @type {Real["carry"]} */
   const carry = (hex) => {
     if (!wire || IS_FRAMED) return;
-    python().ask("sent", performance.now());
+    python().ask("real", "sent", performance.now());
     wire.send(Uint8Array.from(hex.match(/../g) ?? [], (each) => parseInt(each, 16)));
   };
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -40,9 +41,11 @@ for text in texts:
 
 def test_the_snapshot_has_every_module_that_reading_needs(tmp_path: Path) -> None:
     """Modules that are not in the snapshot come later, in python.zip."""
-    (tmp_path / "boot.mjs").write_text((PLAYGROUND / "boot.js").read_text(encoding="utf-8"), encoding="utf-8")
-    script = "import { WARM_UP } from './boot.mjs'; console.log(JSON.stringify(WARM_UP))"
-    command = ["node", "--input-type=module", "--eval", script]
+    for script in PLAYGROUND.glob("*.js"):
+        shutil.copy(script, tmp_path)
+    (tmp_path / "package.json").write_text('{"type": "module"}')
+    program = "import { WARM_UP } from './boot.js'; console.log(JSON.stringify(WARM_UP))"
+    command = ["node", "--input-type=module", "--eval", program]
     warm_up = json.loads(subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout)
     texts = [
         "0x|08:00|2A:00|00|04:00|81:01:60|\n0x|07:00|2A:00|02|66:66:F6:40|",
@@ -273,6 +276,17 @@ def test_what_is_wrong_is_said_once() -> None:
         assert [block["codes"] for block in answer["findings"]] == ([["E102"]] if "0F" in text else [])
 
 
+def opened(name: str, contents: bytes, expression: str = "") -> dict[str, Any]:
+    """What the page shows of a file."""
+    Path(json.loads(bridge.place(name))).write_bytes(contents)
+    number = json.loads(bridge.start("open_file", name, expression))
+    step: dict[str, Any] = {"part": 0}
+    while "part" in step:
+        step = json.loads(bridge.go_on(number))
+    answer: dict[str, Any] = step["answer"]
+    return answer
+
+
 @pytest.fixture
 def folder() -> Iterator[None]:
     """The folder of the file that is opened, which is gone afterwards."""
@@ -289,12 +303,16 @@ def test_a_file_and_a_filter() -> None:
         ("lesson-02.log", "", "A log of 20 frames: 19 commands and 1 reply."),
         ("README.md", "", "A file without a frame."),
     ):
-        Path(json.loads(bridge.place(name))).write_bytes((captures / name).read_bytes())
-        number = json.loads(bridge.start("open_file", name, expression))
-        step: dict[str, Any] = {"part": 0}
-        while "part" in step:
-            step = json.loads(bridge.go_on(number))
-        assert step["answer"]["headline"]["sentence"] == sentence
+        assert opened(name, (captures / name).read_bytes(), expression)["headline"]["sentence"] == sentence
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_damaged_program_has_a_headline() -> None:
+    answer = opened("robot.rbf", b"LEGO\x10\x00")
+    assert answer["headline"]["verdict"] == (
+        "The brick refuses it at byte 0, because an image starts with a header of 16 bytes, not 6."
+    )
+    assert answer["error"] == ""
 
 
 def test_frames_in_the_notations_of_other_programs() -> None:
@@ -329,15 +347,15 @@ def test_a_session_with_a_brick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
 
     assert real.send([battery, battery], is_allowed=False) == {}
     assert carried == [battery.hex()]
-    real.connection.sent(10.0)
+    real.sent(10.0)
     (reply,) = brick.receive(battery)
-    real.connection.heard(reply, 12.5)
+    real.heard(reply, 12.5)
     assert carried == [battery.hex()] * 2
     assert shown()[1] == "answered after 2.5 ms:"
     now += PATIENCE + 1
     real.turn()
     assert shown()[-1] == "no answer within 5 s; a late one is shown when it comes"
-    real.connection.heard(reply, 7000.0)
+    real.heard(reply, 7000.0)
     assert "answered late, after 7000.0 ms:" in shown()
     # What moves is asked about first, and motors stop without a question.
     start = bytes.fromhex("08002c00800000a60001")

@@ -5,7 +5,6 @@ Every function takes and returns types that JavaScript also has; answers are JSO
 
 from __future__ import annotations
 
-import base64
 import json
 import random
 import re
@@ -37,35 +36,25 @@ __all__ = [
     "act",
     "as_assembly",
     "begin",
-    "compare",
     "complete",
     "connect",
-    "end_comparison",
     "explain",
-    "files",
     "frames_of",
     "give_up",
     "go_on",
-    "gone",
-    "heard",
-    "leave",
     "look",
     "made",
     "page",
-    "panel",
     "place",
     "play",
-    "record",
+    "real",
     "remedies",
     "rests",
-    "sent",
     "start",
     "stop_motors",
-    "talk",
     "tick",
     "to_send",
     "turn",
-    "watch",
 ]
 
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
@@ -212,8 +201,9 @@ def frames_of(operations: str) -> str:
     return json.dumps({"text": answer["made"]["lesson"], "error": answer["error"]})
 
 
-def _bytes(data: Any) -> bytes:
-    return data if isinstance(data, bytes) else data.to_bytes()
+def _plain(value: Any) -> Any:
+    """Returns an argument from JavaScript; arrays as bytes."""
+    return value.to_bytes() if hasattr(value, "to_bytes") and not isinstance(value, int) else value
 
 
 # The virtual brick
@@ -269,55 +259,15 @@ def connect(carrier: str, carry: Callable[[str], object], tell: Callable[[str], 
     return "null"
 
 
-def sent(at: float) -> str:
-    """Takes the time at which a frame was carried."""
-    if _real is not None:
-        _real.connection.sent(at)
-    return "null"
-
-
-def heard(data: Any, at: float) -> str:
-    """Takes bytes from the brick, and when they came."""
-    if _real is not None:
-        _real.connection.heard(_bytes(data), at)
-    return "null"
+def real(call: str, *given: Any) -> str:
+    """Calls a method of the session with a real brick; null without one. Its answer is JSON."""
+    return json.dumps(None if _real is None else getattr(_real, call)(*map(_plain, given)))
 
 
 def turn() -> None:
     """Lets time pass for the session."""
     if _real is not None and _real.connection.is_open:
         _real.turn()
-
-
-def leave() -> str:
-    """Ends what is open on the brick. Returns whether anything is; the session tells when it is done."""
-    return json.dumps(_real is not None and _real.leave())
-
-
-def gone(reason: str) -> str:
-    """Ends the session; its recording stays."""
-    if _real is not None:
-        _real.gone(reason)
-    return "null"
-
-
-def talk(given: str, is_allowed: bool) -> str:
-    """Sends what `to_send` returned to the brick: see `RealBrick.send`."""
-    assert _real is not None
-    wanted = json.loads(given)
-    if wanted["error"]:
-        return json.dumps({"error": wanted["error"]})
-    if wanted["program"] is not None:
-        return json.dumps(_real.run(bytes.fromhex(wanted["program"]), is_allowed=is_allowed))
-    return json.dumps(_real.send([bytes.fromhex(frame) for frame in wanted["frames"]], is_allowed=is_allowed))
-
-
-def watch(is_wanted: bool) -> str:
-    """Begins or ends asking for battery and ports every second."""
-    assert _real is not None
-    _real.watch.want(is_wanted)
-    _real.turn()
-    return "null"
 
 
 def stop_motors() -> str:
@@ -329,35 +279,3 @@ def stop_motors() -> str:
     stopping = Input()
     list(stopping.type(_STOP))
     return play(json.dumps(stopping.to_send()))
-
-
-def files(action: str, path: str, data: Any) -> str:
-    """Does something with a file or folder of the brick: see `RealBrick.files`."""
-    assert _real is not None
-    _real.files(action, path, _bytes(data))
-    return "null"
-
-
-def panel(action: str, text: str, is_allowed: bool) -> str:
-    """Renames the brick, or starts or stops a program; returns as `talk` does."""
-    assert _real is not None
-    return json.dumps(_real.panel(action, text, is_allowed=is_allowed))
-
-
-def record() -> str:
-    """Returns what was said to and by the brick, as pcapng in base64; empty without a session."""
-    return json.dumps("" if _real is None else base64.b64encode(_real.connection.recording()).decode())
-
-
-def compare(capture: Any, computes: bool) -> str:
-    """Compares the brick with the virtual one: see `RealBrick.compare`."""
-    assert _real is not None
-    _real.compare(_bytes(capture), computes=computes)
-    return "null"
-
-
-def end_comparison() -> str:
-    """Ends a comparison early."""
-    if _real is not None:
-        _real.end_comparison()
-    return "null"

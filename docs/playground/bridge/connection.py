@@ -30,49 +30,41 @@ MOST_LATE = 256
 _KEY = 0
 
 
-@dataclass(eq=False, slots=True)
-class Job:
-    """A command that waits for its turn.
+Done = Callable[[Outcome, float, str], None]
+"""Takes the outcome of a talk, the milliseconds of its last command, and the reason why that has no answer."""
 
-    start     makes it a command of the session
-    answer    takes the reply and the milliseconds that it took; None and 0 for a command that wants none
-    silence   takes the reason why no answer came
-    request   the command, once it is sent
+
+@dataclass(eq=False, slots=True)
+class Command:
+    """A command that waits for its turn, or for its reply.
+
+    frame     its bytes
+    answered  takes the reply, the milliseconds that it took, and the reason why there is none
+    is_kept   whether it keeps its counter; others get a new one
+    request   what the session knows of it, once it is sent
     sent      when, in milliseconds of the page's clock
     deadline  when it counts as unanswered, in seconds of Python's clock
-    is_late   whether that was before its reply came
     """
 
-    start: Callable[[Session], Request]
-    answer: Callable[[Job, bytes | None, float], None]
-    silence: Callable[[Job, str], None]
+    frame: bytes
+    answered: Callable[[bytes | None, float, str], None]
+    is_kept: bool
     request: Request | None = None
     sent: float = 0.0
     deadline: float = 0.0
-    is_late: bool = False
-
-    @property
-    def frame(self) -> bytes:
-        """Its bytes, once it is sent."""
-        assert self.request is not None
-        return self.request.frame
-
-
-Done = Callable[[Outcome, float, str], None]
-"""Takes the outcome of a talk, the milliseconds of its last command, and the reason why that has no answer."""
 
 
 class Listener(NamedTuple):
     """Who hears of a connection.
 
     carry    takes a frame for the brick, in hex
-    late     takes a command whose reply came late, the reply, and the milliseconds that it took
+    late     takes a command that kept its counter, a reply that came too late, and the milliseconds that it took
     unasked  takes a frame that the brick sent by itself
     wrong    takes the reason why a command could not be sent
     """
 
     carry: Callable[[str], object]
-    late: Callable[[Job, bytes, float], object]
+    late: Callable[[bytes, bytes, float], object]
     unasked: Callable[[bytes], object]
     wrong: Callable[[str], object]
 
@@ -89,9 +81,9 @@ class Connection:
         self._listener = listener
         # Other tabs and programs may see the same replies: their counters should differ.
         self._session = Session(random.randrange(COUNTERS))
-        self._jobs: deque[Job] = deque()
-        self._now: Job | None = None
-        self._late: Bounded[int, Job] = Bounded(MOST_LATE)
+        self._waiting: deque[Command] = deque()
+        self._now: Command | None = None
+        self._late: Bounded[int, Command] = Bounded(MOST_LATE)
         self._file = io.BytesIO()
         self._recording = Recording(self._file)
         self._recording.opened(_KEY, carrier, ("", 0), ("", 0))
@@ -100,7 +92,7 @@ class Connection:
     @property
     def is_idle(self) -> bool:
         """Whether no command is on its way, or waits."""
-        return self._now is None and not self._jobs
+        return self._now is None and not self._waiting
 
     # Bytes
 
@@ -123,9 +115,9 @@ class Connection:
         for event in self._session.feed(data):
             if isinstance(event, Answered):
                 self._record(event.frame, False)
-                job, self._now = self._now, None
-                assert job is not None
-                job.answer(job, event.frame, at - job.sent)
+                command, self._now = self._now, None
+                assert command is not None
+                command.answered(event.frame, at - command.sent, "")
             elif isinstance(event, Stray):
                 self._record(event.frame, False)
                 self._stray(event, at)
@@ -133,10 +125,9 @@ class Connection:
 
     def _stray(self, event: Stray, at: float) -> None:
         if event.oddity is Oddity.LATE:
-            job = self._late.pop(Header.read(event.frame).counter, None)
-            if job is not None:
-                job.is_late = True
-                job.answer(job, event.frame, at - job.sent)
+            command = self._late.pop(Header.read(event.frame).counter, None)
+            if command is not None and command.is_kept:
+                self._listener.late(command.frame, event.frame, at - command.sent)
         elif event.oddity is Oddity.UNASKED:
             self._listener.unasked(event.frame)
 
@@ -152,39 +143,40 @@ class Connection:
 
     def turn(self) -> None:
         """Lets time pass: ends what waits for too long."""
-        job = self._now
-        if job is not None and time.monotonic() > job.deadline:
+        command = self._now
+        if command is not None and time.monotonic() > command.deadline:
             self._now = None
-            assert job.request is not None
-            self._session.abandon(job.request)
-            self._late.add(job.request.counter, job)
-            job.silence(job, f"no answer within {PATIENCE:g} s; a late one is shown when it comes")
+            assert command.request is not None
+            self._session.abandon(command.request)
+            self._late.add(command.request.counter, command)
+            command.answered(None, 0.0, f"no answer within {PATIENCE:g} s; a late one is shown when it comes")
         self.advance()
 
     def advance(self) -> None:
         """Sends commands until one waits for its reply."""
-        while self.is_open and self._now is None and self._jobs:
-            job = self._jobs.popleft()
+        while self.is_open and self._now is None and self._waiting:
+            command = self._waiting.popleft()
             try:
-                job.request = job.start(self._session)
+                request = command.request = self._begun(command)
             except LinkError as error:
                 self._listener.wrong(str(error))
                 continue
-            self._record(job.request.frame, True)
-            if job.request.wants_reply:
-                self._now = job
-                job.deadline = time.monotonic() + PATIENCE
-            self._listener.carry(job.request.frame.hex())
-            if not job.request.wants_reply:
-                job.answer(job, None, 0.0)
+            self._record(request.frame, True)
+            if request.wants_reply:
+                self._now = command
+                command.deadline = time.monotonic() + PATIENCE
+            self._listener.carry(request.frame.hex())
+            if not request.wants_reply:
+                command.answered(None, 0.0, "")
 
-    def add(self, job: Job) -> None:
-        """Has a command wait for its turn."""
-        self._jobs.append(job)
+    def _begun(self, command: Command) -> Request:
+        if command.is_kept:
+            return self._session.adopt(command.frame)
+        return self._session.command(MessageType(Header.read(command.frame).type), command.frame[HEADER_SIZE:])
 
     def forget(self) -> None:
         """Forgets the commands that wait."""
-        self._jobs.clear()
+        self._waiting.clear()
 
     def send_at_once(self, kind: MessageType, body: bytes) -> bytes:
         """Sends a command that wants no reply before all others. Returns its frame."""
@@ -193,56 +185,31 @@ class Connection:
         self._listener.carry(frame.hex())
         return frame
 
-    def close(self) -> Job | None:
-        """Ends it. Returns the command that has no answer yet."""
+    def close(self, reason: str) -> None:
+        """Ends it. The command that has no answer yet gets none."""
         self.is_open = False
-        job, self._now = self._now, None
-        self._jobs.clear()
+        command, self._now = self._now, None
+        self._waiting.clear()
+        if command is not None:
+            command.answered(None, 0.0, f"no answer: {reason}")
         self._recording.close()
-        return job
 
     def converse(self, talk: Talk, done: Done, counter: int | None = None) -> None:
-        """Sends the frames of a talk.
+        """Has the frames of a talk wait for their turn, which `advance` gives.
 
         Args:
             talk: Yields the frames.
             done: Takes the outcome, the milliseconds of the last command, and why it has no answer.
             counter: Frames with this counter keep it, and none waits for what is asked for every second.
         """
-        last: tuple[float, str] = (0.0, "")
 
-        def step(reply: bytes | None) -> None:
+        def step(reply: bytes | None, latency: float, reason: str) -> None:
             try:
                 frame = talk.send(reply)
             except StopIteration as end:
-                done(end.value, *last)
+                done(end.value, latency, reason)
                 return
-            is_kept = Header.read(frame).counter == counter
-            job = Job(_adopting(frame) if is_kept else _again(frame), answered, silent)
-            (self._jobs.append if counter is None else self._jobs.appendleft)(job)
+            command = Command(frame, step, Header.read(frame).counter == counter)
+            (self._waiting.append if counter is None else self._waiting.appendleft)(command)
 
-        def answered(job: Job, reply: bytes | None, latency: float) -> None:
-            nonlocal last
-            if job.is_late:
-                if reply is not None:
-                    self._listener.late(job, reply, latency)
-                return
-            last = latency, ""
-            step(reply)
-
-        def silent(_: Job, reason: str) -> None:
-            nonlocal last
-            last = 0.0, reason
-            step(None)
-
-        step(None)
-
-
-def _adopting(frame: bytes) -> Callable[[Session], Request]:
-    """Returns the start of a command with its own counter."""
-    return lambda session: session.adopt(frame)
-
-
-def _again(frame: bytes) -> Callable[[Session], Request]:
-    """Returns the start of a command with a new counter."""
-    return lambda session: session.command(MessageType(Header.read(frame).type), frame[HEADER_SIZE:])
+        step(None, 0.0, "")

@@ -37,61 +37,37 @@ class Checked(NamedTuple):
     report: Report
 
 
-class _Given(NamedTuple):
-    """A frame that is checked."""
-
-    frame: bytes
-    number: int
-    place: str
-    line: int
-    carrier: str | None
-
-
 class Findings:
     """The findings in all frames, as they are read.
 
-    checked  the number of frames for the brick
-    refused  the number of those that it refuses
+    checked     the number of frames for the brick
+    refused     the number of those that it refuses
+    has_others  whether there are frames that are not checked, since they come from the brick
+    programs    the reports on programs, whose image is frame 0
     """
 
     def __init__(self) -> None:
         self.checked = self.refused = 0
+        self.has_others = False
+        self.programs: list[ProgramReport] = []
         self._frames: dict[Severity, list[Checked]] = {severity: [] for severity in Severity}
         self._left_out = dict.fromkeys(Severity, 0)
-        self._only: _Given | None = None
-        self.programs: list[ProgramReport] = []
+        self._last: Checked | None = None
         self._others: list[tuple[str, Severity]] = []
 
     def frame(self, frame: bytes, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
         """Checks a frame."""
-        self.among_others()
-        given = _Given(frame, number, place, line, carrier)
+        report = check(frame, carrier=carrier)
+        self._last = checked = Checked(number, place, line, report)
         self.checked += 1
-        if self.checked == 1:
-            self._only = given
-        else:
-            self._check(given)
-
-    def among_others(self) -> None:
-        """Has a frame so far by itself checked as one among others, which get fewer hints."""
-        given, self._only = self._only, None
-        if given is not None:
-            self._check(given)
-
-    def _check(self, given: _Given) -> None:
-        report = check(given.frame, carrier=given.carrier)
         self.refused += not report.accepted
         if report.accepted and not report.findings:
             return
         worst = min((finding.severity for finding in report.findings), key=_SEVERITIES.index, default=Severity.ERROR)
         if len(self._frames[worst]) < MOST_FRAMES:
-            self._frames[worst].append(Checked(given.number, given.place, given.line, report))
+            self._frames[worst].append(checked)
         else:
             self._left_out[worst] += 1
-
-    def program(self, report: ProgramReport) -> None:
-        """Takes the report on a program, whose image is frame 0."""
-        self.programs.append(report)
 
     def say(self, sentence: str, severity: Severity) -> None:
         """Takes a sentence about the input that no check makes."""
@@ -100,14 +76,15 @@ class Findings:
     @property
     def frames(self) -> list[Checked]:
         """The frames with findings that are shown, the worst first."""
-        given = self._only
-        if given is not None:
-            report = check(given.frame, carrier=given.carrier, alone=True)
-            return [Checked(given.number, given.place, given.line, report)] if report.findings else []
+        if self._last is not None and self.checked == 1 and not self.has_others:
+            # A frame by itself gets more hints.
+            report = self._last.report
+            alone = check(report.frame, carrier=report.carrier, alone=True)
+            return [self._last._replace(report=alone)] if alone.findings else []
         return [each for severity in Severity for each in self._frames[severity]]
 
     def count(self, severity: Severity) -> int:
-        """Returns the number of frames among others whose worst finding has a severity."""
+        """Returns the number of frames whose worst finding has a severity."""
         return len(self._frames[severity]) + self._left_out[severity]
 
     def answer(self) -> list[dict[str, Any]]:

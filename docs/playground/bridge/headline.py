@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from ev3proto.checking.report import Report, Severity, difference
-from ev3proto.errors import counted
 from ev3proto.messages import DirectReply
 from ev3proto.program.report import ProgramReport
 from ev3proto.reading.headline import Headline, Proposal, Subject
@@ -24,7 +22,7 @@ _MOST_BYTES = 6
 _SEVERITIES = list(Severity)
 
 
-def headline(known: Headline) -> dict[str, Any]:
+def headline(known: Headline) -> dict[str, str]:
     """Returns the headline, for JSON.
 
     sentence  what the input is and does
@@ -32,15 +30,17 @@ def headline(known: Headline) -> dict[str, Any]:
     kind      what the brick does: TAKES, REFUSES, or NONE
     severity  of the worst finding, but for hints; empty without one
     """
-    kind, severity, verdict = _judged(known)
-    if known.unread and known.commands and kind == TAKES:
+    sentence_of, judge = _SUBJECTS[known.subject]
+    kind, severity, verdict = judge(known)
+    if known.unread and kind == TAKES:
         kind, verdict = NONE, f"{verdict[:-1]}, but not all of the input could be read."
-    return {
-        "sentence": visible(_SENTENCES[known.subject](known)),
-        "verdict": visible(verdict),
-        "kind": kind,
-        "severity": severity,
-    }
+    return {"sentence": visible(sentence_of(known)), "verdict": visible(verdict), "kind": kind, "severity": severity}
+
+
+Verdict = tuple[str, str, str]
+"""What the brick does, the severity of the worst finding, and a sentence."""
+
+_NOT_JUDGED: Verdict = NONE, "", ""
 
 
 # What it is
@@ -50,137 +50,132 @@ def _capital(text: str) -> str:
     return f"{text[:1].upper()}{text[1:]}"
 
 
+def _counted(count: int, noun: str) -> str:
+    return f"{count:,} {noun if count == 1 else _PLURALS.get(noun, f'{noun}s')}"
+
+
+_PLURALS = {"reply": "replies"}
+
+
 def _frame(known: Headline) -> str:
     assert known.exchange is not None
     message, done = known.exchange.message, deed(known.exchange)
     if known.missing:
         return sentence(known.exchange, known.missing)
-    name = "not an EV3 message" if message.type is None else f"a command of {counted(len(message.build()), 'byte')}"
+    name = "not an EV3 message" if message.type is None else f"a command of {_counted(len(message.build()), 'byte')}"
     return f"{_capital(done or name)}."
 
 
 def _reply(known: Headline) -> str:
     assert known.exchange is not None
     message = known.exchange.message
-    is_error = message.type is not None and message.type.is_error
-    name = "An error reply" if is_error else "A reply"
-    if is_error and isinstance(message, DirectReply):
-        return f"{name}: command {message.counter} failed."
-    return f"{name} that {deed(known.exchange)}."
+    if message.type is None or not message.type.is_error:
+        return f"A reply that {deed(known.exchange)}."
+    done = (
+        f": command {message.counter} failed" if isinstance(message, DirectReply) else f" that {deed(known.exchange)}"
+    )
+    return f"An error reply{done}."
 
 
 def _many(name: str) -> Callable[[Headline], str]:
     def said(known: Headline) -> str:
-        parts = [
-            counted(known.commands, "command") if known.commands else "",
-            _replies(known.frames - known.commands),
-        ]
-        of = f": {' and '.join(filter(None, parts))}" if all(parts) else ""
+        parts = {"command": known.commands, "reply": known.frames - known.commands}
+        of = f": {' and '.join(_counted(count, noun) for noun, count in parts.items())}" if all(parts.values()) else ""
         if known.read:
-            return f"The filter matches {_number(known.frames)} of the {_number(known.read)} frames of {name}{of}."
-        return f"{_capital(name)} of {_number(known.frames)} frame{'s' * (known.frames != 1)}{of}."
+            return f"The filter matches {known.frames:,} of the {_counted(known.read, 'frame')} of {name}{of}."
+        return f"{_capital(name)} of {_counted(known.frames, 'frame')}{of}."
 
     return said
 
 
-def _replies(count: int) -> str:
-    return "" if not count else "1 reply" if count == 1 else f"{_number(count)} replies"
+def _bare(known: Headline) -> str:
+    assert known.exchange is not None
+    return f"A frame without its {_LACKS[known.subject].partition(' ')[0]}: {deed(known.exchange)}."
 
 
-def _number(count: int) -> str:
-    return f"{count:,}"
-
-
-def _bare(lacks: str) -> Callable[[Headline], str]:
-    return lambda known: f"A frame without its {lacks}: {deed(known.exchange) if known.exchange else ''}."
-
-
-_SENTENCES: dict[Subject, Callable[[Headline], str]] = {
-    Subject.EMPTY: lambda _: "",
-    Subject.TEXT: lambda _: "A text without a frame.",
-    Subject.FILE: lambda _: "A file without a frame.",
-    Subject.MISTAKEN: lambda known: f"Operations with {'a mistake' if known.unread == 1 else 'mistakes'}.",
-    Subject.NO_HEADER: _bare("header"),
-    Subject.NO_LENGTH: _bare("length"),
-    Subject.FRAME: _frame,
-    Subject.REPLY: _reply,
-    Subject.PART: lambda _: "A frame that cannot be read to its end.",
-    Subject.FRAMES: _many("a series"),
-    Subject.LOG: _many("a log"),
-    Subject.CAPTURE: _many("a capture"),
-    Subject.PROGRAM: lambda known: f"A program of {counted(known.frames, 'object')} and {counted(known.read, 'byte')}.",
+_LACKS = {
+    Subject.NO_HEADER: "header first: length, counter, type and memory",
+    Subject.NO_LENGTH: "length first",
 }
 
 
 # What is wrong
 
 
-def _judged(known: Headline) -> tuple[str, str, str]:
-    """Returns what the brick does, the severity of the worst finding, and a sentence."""
-    by_itself = _BY_ITSELF.get(known.subject)
-    if by_itself is not None:
-        return NONE, "", by_itself(known)
-    if known.subject is Subject.PROGRAM or known.frames == known.commands == 1:
-        return _one(known.worst)
-    return _several(known) if known.commands else (NONE, "", "")
-
-
-def _of_reply(known: Headline) -> str:
+def _of_reply(known: Headline) -> Verdict:
     assert known.exchange is not None
     message = known.exchange.message
     if message.fault is not None:
-        return f"{_capital(message.fault.reason)}."
+        return NONE, Severity.ERROR, f"{_capital(message.fault.reason)}."
     is_error = message.type is not None and message.type.is_error
-    return "It does not say why: check the command that it answers." if is_error else ""
+    return NONE, "", "It does not say why: check the command that it answers." if is_error else ""
 
 
-def _of_bare(known: Headline) -> str:
-    """Returns what is missing, and a hint about a value, which is often what such bytes were copied for."""
-    hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
-    header = ": length, counter, type and memory" if known.subject is Subject.NO_HEADER else ""
-    needs = f"A brick needs its {'header' if header else 'length'} first{header}."
-    return " ".join([needs, *(f"{each.message}; {each.help}." for each in hints[:1])])
-
-
-_BY_ITSELF: dict[Subject, Callable[[Headline], str]] = {
-    Subject.EMPTY: lambda _: "",
-    Subject.MISTAKEN: lambda _: "",
-    Subject.FILE: lambda _: "",
-    Subject.TEXT: lambda _: (
+def _of_text(known: Headline) -> Verdict:
+    """Returns what could be read instead; an error that is shown says more."""
+    advice = (
         "Frames are written in hex, such as 06 00 2A 00 80 00 00 01. Operations are read, too: OUTPUT_POWER(0, 1, 50)."
-    ),
-    Subject.NO_HEADER: _of_bare,
-    Subject.NO_LENGTH: _of_bare,
-    Subject.PART: lambda _: "",
-    Subject.REPLY: _of_reply,
-}
-"""What is said of what the brick does not judge."""
+    )
+    return NONE, "", "" if known.unread else advice
 
 
-def _one(report: Report | None) -> tuple[str, str, str]:
+def _of_bare(known: Headline) -> Verdict:
+    """Has a hint about a value, which such bytes are often tried for."""
+    hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
+    said = [f"A brick needs its {_LACKS[known.subject]}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
+    return NONE, "", " ".join(said)
+
+
+def _of_one(known: Headline) -> Verdict:
+    report = known.worst
     if report is not None and not report.accepted:
-        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {report.rejected_at or 0}{_because(report)}."
+        because = f", because {_reason(report)}" if report.findings else ""
+        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {report.rejected_at or 0}{because}."
     if report is None or not (severity := _worst(report)):
         return TAKES, "", "The brick takes it."
     return TAKES, severity, f"The brick takes it, but {_reason(report)}."
 
 
-def _several(known: Headline) -> tuple[str, str, str]:
+def _of_frames(known: Headline) -> Verdict:
+    if known.frames == known.commands == 1:
+        return _of_one(known)
+    if not known.commands:
+        return _NOT_JUDGED
     where = f"; in {known.place}, {_reason(known.worst)}" if known.worst is not None else ""
-    commands = "the command" if known.commands == 1 else f"all {_number(known.commands)} commands"
+    is_one = known.commands == 1
     if known.refused:
-        refused = "the command" if known.commands == 1 else f"{_number(known.refused)} of {known.commands:,} commands"
+        refused = "the command" if is_one else f"{known.refused:,} of {known.commands:,} commands"
         return REFUSES, Severity.ERROR, f"The brick refuses {refused}{where}."
+    takes = f"The brick takes {'the command' if is_one else f'all {known.commands:,} commands'}"
     for severity, count in ((Severity.ERROR, known.wrong), (Severity.WARNING, known.doubtful)):
         if count:
-            some = "it" if known.commands == 1 else f"{_number(count)} of them"
-            have = f"{some} {'has' if count == 1 else 'have'} {severity}s"
-            return TAKES, severity, f"The brick takes {commands}, but {have}{where}."
-    return TAKES, "", f"The brick takes {commands}."
+            some = "it" if is_one else f"{count:,} of them"
+            return TAKES, severity, f"{takes}, but {some} {'has' if count == 1 else 'have'} {severity}s{where}."
+    return TAKES, "", f"{takes}."
 
 
-def _because(report: Report) -> str:
-    return f", because {_reason(report)}" if report.findings else ""
+_SUBJECTS: dict[Subject, tuple[Callable[[Headline], str], Callable[[Headline], Verdict]]] = {
+    Subject.EMPTY: (lambda _: "", lambda _: _NOT_JUDGED),
+    Subject.TEXT: (lambda _: "A text without a frame.", _of_text),
+    Subject.FILE: (lambda _: "A file without a frame.", lambda _: _NOT_JUDGED),
+    Subject.PART: (lambda _: "A frame that cannot be read to its end.", lambda _: _NOT_JUDGED),
+    Subject.MISTAKEN: (
+        lambda known: f"Operations with {'a mistake' if known.unread == 1 else 'mistakes'}.",
+        lambda _: _NOT_JUDGED,
+    ),
+    Subject.NO_HEADER: (_bare, _of_bare),
+    Subject.NO_LENGTH: (_bare, _of_bare),
+    Subject.FRAME: (_frame, _of_frames),
+    Subject.REPLY: (_reply, _of_reply),
+    Subject.FRAMES: (_many("a series"), _of_frames),
+    Subject.LOG: (_many("a log"), _of_frames),
+    Subject.CAPTURE: (_many("a capture"), _of_frames),
+    Subject.PROGRAM: (
+        lambda known: f"A program of {_counted(known.frames, 'object')} and {_counted(known.read, 'byte')}.",
+        _of_one,
+    ),
+}
+"""What is said of each kind of input: what it is, and what is wrong with it."""
 
 
 def _reason(report: Report) -> str:
@@ -219,7 +214,7 @@ def _change(proposal: Proposal) -> str:
         return "Request {} bytes of global and {} of local memory".format(*read_memory(after))
     old = before[at:end]
     if max(len(old), len(new)) > _MOST_BYTES:
-        return f"Change {counted(max(len(old), len(new)), 'byte')} from byte {at} on"
+        return f"Change {_counted(max(len(old), len(new)), 'byte')} from byte {at} on"
     if not old or not new:
         return f"{'Insert' if new else 'Remove'} {spaced_hex(old or new)} at byte {at}"
     return f"Change {spaced_hex(old)} at byte {at} to {spaced_hex(new)}"

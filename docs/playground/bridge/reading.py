@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -93,7 +94,7 @@ class Input:
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._bare: Headline | None = None
         self._first: Record | None = None
-        self._seen = 0
+        self._seen = self._objects = 0
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._lesson_size = 0
@@ -233,18 +234,19 @@ class Input:
     def _image(self, image: Image) -> None:
         """Takes the image of a program."""
         self.image = image.data
-        try:
-            parse_program(image.data, strict=False)
-        except DecodeError as error:
-            self._problem(Problem(image.place, ProblemCode.DAMAGED, str(error)))
-        else:
+        with suppress(DecodeError):  # which is among the findings
+            self._objects = len(parse_program(image.data, strict=False).objects)
             self._show(image)
-        self._findings.program(check_program(image.data))
+        self._findings.programs.append(check_program(image.data))
 
     def _problem(self, problem: Problem) -> None:
         if problem.severity is not Severity.ERROR:
             self._findings.say(str(problem), problem.severity)
             return
+        place = problem.place
+        is_other = problem.code is ProblemCode.TEXT and place.column == 1 and place.line is None
+        if self._typed is not None and (is_other or problem.code is ProblemCode.EMPTY):
+            return  # the headline says that the text has no frame
         self._problem_count += 1
         if len(self._problems) < MOST_COMPLAINTS:
             self._problems.append(problem)
@@ -261,7 +263,7 @@ class Input:
             self._lesson.append(as_hex(message))
             self._lesson_size += len(self._lesson[-1]) + 1
         if _is_reply(record):
-            self._findings.among_others()
+            self._findings.has_others = True
         else:
             self._findings.frame(frame, number, place, line, carrier=carrier)
 
@@ -272,7 +274,6 @@ class Input:
 
         headline   see `headline`
         error      sentences about what cannot be read, with the lines of a source that they are about
-        problems   the same as data: each with message, place, severity, code, line and column
         count      the number of frames
         isProgram  whether it is a program
         findings   see `Findings.answer`
@@ -285,7 +286,6 @@ class Input:
         return {
             "headline": headline(self._headline()),
             "error": self._error(),
-            "problems": [_problem_entry(problem) for problem in self._problems],
             "count": self._pages.frames,
             "isProgram": self.image is not None,
             "findings": self._findings.answer(),
@@ -301,8 +301,7 @@ class Input:
             return self._bare
         if self.image is not None:
             (report,) = findings.programs
-            objects = parse_program(self.image, strict=False).objects
-            return Headline(Subject.PROGRAM, len(objects), unread=unread, read=len(self.image), worst=report)
+            return Headline(Subject.PROGRAM, self._objects, unread=unread, read=len(self.image), worst=report)
         worst = min(findings.frames, key=lambda each: each.report.accepted, default=None)
         is_wrong = worst is not None and any(each.severity is not Severity.HINT for each in worst.report.findings)
         errors = findings.count(Severity.ERROR)
@@ -327,7 +326,7 @@ class Input:
         if first is None and any(problem.code is ProblemCode.SOURCE for problem in self._problems):
             return Subject.MISTAKEN
         if first is None:
-            return Subject.FILE if self._name != TYPED else Subject.TEXT if self._problems else Subject.EMPTY
+            return Subject.FILE if self._typed is None else Subject.TEXT if self._typed.strip() else Subject.EMPTY
         if self._pages.frames == 1 and first.written is not None and first.written.is_typed and self._problems:
             return Subject.PART
         if self._pages.frames == 1 and self._wanted is None:
@@ -343,16 +342,10 @@ class Input:
     def _error(self) -> str:
         lines: list[str] = []
         for problem in self._problems:
-            if self._first is not None or not self._is_other_text(problem):
-                lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
+            lines += [str(problem), *(f"  {line}" for line in problem.excerpt.split("\n") if problem.excerpt)]
         left = self._problem_count - len(self._problems) + max(len(lines) - MOST_COMPLAINTS, 0)
         shown = [*lines[:MOST_COMPLAINTS], *([f"... and {left} more lines"] if left else [])]
         return "".join(f"{visible(line)}\n" for line in shown)
-
-    def _is_other_text(self, problem: Problem) -> bool:
-        """Returns whether a problem says no more than that a text without a frame has none."""
-        is_at_once = problem.code is ProblemCode.TEXT and problem.place.column == 1
-        return self._typed is not None and (is_at_once or problem.code is ProblemCode.EMPTY)
 
     def made(self, form: str) -> str:
         """Returns the frames in a notation, as far as they are shown."""
@@ -431,16 +424,3 @@ def _shortened(found: list[str], count: int) -> str:
     if len(found) == count or not found:
         return "\n".join(found)
     return "\n".join([*found, f"... and {count - len(found)} more frames; ev3proto on the command line shows all"])
-
-
-def _problem_entry(problem: Problem) -> dict[str, Any]:
-    """Returns a problem for JSON."""
-    place = problem.place
-    return {
-        "message": problem.message,
-        "place": str(place),
-        "severity": problem.severity,
-        "code": problem.code,
-        "line": place.line,
-        "column": place.column,
-    }

@@ -22,22 +22,25 @@ from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.enumerations import SLOT
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.ports import MotorPorts
-from ev3proto.text.spans import Role
+from ev3proto.text.phrases import command_spans
+from ev3proto.text.spans import Role, Spans
 
-from .answers import Answers, reply_lines
-from .comparing import Comparison
-from .connection import Connection, Job, Listener
+from .comparing import Comparison, reply_lines
+from .connection import Connection, Listener
+from .rows import pieces
 from .watching import DIALECT, Watch
 
 PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
 """Where a program of the input is written on a brick."""
+
+MOST_ANSWERS = 100
+"""Answers that are shown."""
 
 
 class RealBrick:
     """What the page does with a brick: commands of the input, files, programs, a panel, a comparison.
 
     connection  to the brick
-    watch       what is asked for every second
     """
 
     def __init__(self, carrier: str, carry: Callable[[str], object], tell: Callable[[str], object]) -> None:
@@ -50,54 +53,83 @@ class RealBrick:
         """
         self._news = tell
         self.connection = Connection(Carrier(carrier), Listener(carry, self._late, self._unasked, self._wrong))
-        self.watch = Watch(self.connection, self._tell)
+        self._watch = Watch(self.connection, self._tell)
         self._policy = Policy()
-        self._answers = Answers()
+        self._answers: list[list[Spans]] = []
         self._left = self._turn = 0
         self._comparison: Comparison | None = None
 
     def _tell(self, **news: Any) -> None:
         self._news(json.dumps(news))
 
+    # Bytes and time
+
+    def sent(self, at: float) -> None:
+        """Takes the time at which a frame was carried: see `Connection.sent`."""
+        self.connection.sent(at)
+
+    def heard(self, data: bytes, at: float) -> None:
+        """Takes bytes from the brick, and when they came: see `Connection.heard`."""
+        self.connection.heard(data, at)
+
+    def record(self) -> str:
+        """Returns what was said to and by the brick, as pcapng in base64."""
+        return base64.b64encode(self.connection.recording()).decode()
+
     def turn(self) -> None:
         """Lets time pass."""
-        self.watch.turn()
+        self._watch.turn()
         self.connection.turn()
 
+    def watch(self, is_wanted: bool) -> None:
+        """Begins or ends asking for name, firmware, battery and ports every second."""
+        self._watch.want(is_wanted)
+        self.turn()
+
     def gone(self, reason: str) -> None:
-        """Ends the session."""
+        """Ends the session; its recording stays."""
         if not self.connection.is_open:
             return
-        job = self.connection.close()
         self._left = 0
-        self.watch.want(False)
+        self._watch.want(False)
         self.end_comparison(reason)
-        if job is not None:
-            job.silence(job, f"no answer: {reason}")
+        self.connection.close(reason)
 
     # Answers
 
-    def _show(self) -> None:
-        is_waiting = bool(self._left) or not self.connection.is_idle
-        self._tell(answers=self._answers.as_json(), isWaiting=is_waiting)
+    def _show(self, lines: list[Spans]) -> None:
+        """Shows an answer below the ones before it."""
+        self._answers = [*self._answers, lines][-MOST_ANSWERS:]
+        self._show_all()
+
+    def _show_all(self) -> None:
+        shown = [[pieces(line) for line in answer] for answer in self._answers]
+        self._tell(answers=shown, isWaiting=bool(self._left) or not self.connection.is_idle)
 
     def _say(self, frame: bytes, text: str, role: str = Role.ASIDE, reply: bytes | None = None) -> None:
         """Shows what came of a command."""
-        self._answers.said(frame, text, role, reply)
-        self._show()
+        lines = [] if reply is None else reply_lines(reply, frame)
+        self._show([command_spans(parse(frame, strict=False)), [(text, role)], *lines])
 
-    def _late(self, job: Job, reply: bytes, latency: float) -> None:
-        self._say(job.frame, f"answered late, after {latency:.1f} ms:", reply=reply)
+    def _late(self, frame: bytes, reply: bytes, latency: float) -> None:
+        self._say(frame, f"answered late, after {latency:.1f} ms:", reply=reply)
 
     def _unasked(self, frame: bytes) -> None:
-        self._answers.add([[("sent by the brick, unasked:", Role.HEADING)], *reply_lines(frame, None)])
-        self._show()
+        self._show([[("sent by the brick, unasked:", Role.HEADING)], *reply_lines(frame, None)])
 
     def _wrong(self, reason: str) -> None:
-        self._answers.add([[(reason, Role.FAULT)]])
-        self._show()
+        self._show([[(reason, Role.FAULT)]])
 
     # Commands of the input
+
+    def talk(self, given: str, is_allowed: bool) -> dict[str, Any]:
+        """Sends what `Input.to_send` returned, as JSON; returns as `send` does."""
+        wanted = json.loads(given)
+        if wanted["error"]:
+            return {"error": wanted["error"]}
+        if wanted["program"] is not None:
+            return self._run(bytes.fromhex(wanted["program"]), is_allowed=is_allowed)
+        return self.send([bytes.fromhex(frame) for frame in wanted["frames"]], is_allowed=is_allowed)
 
     def send(self, frames: list[bytes], *, is_allowed: bool) -> dict[str, Any]:
         """Sends commands.
@@ -119,10 +151,10 @@ class RealBrick:
         asks = [] if is_allowed else list(dict.fromkeys(ask for frame in frames for ask in self._asks(frame)))
         if asks:
             return {"ask": asks}
-        self._answers.clear()
+        self._answers = []
         self._left = len(frames)
         self._turn += 1
-        self._show()
+        self._show_all()
         self._send_next(frames, self._turn, is_allowed=is_allowed)
         self.connection.advance()
         return {}
@@ -191,11 +223,11 @@ class RealBrick:
         """
         self._move(action, path, data, lambda: None)
 
-    def run(self, image: bytes, *, is_allowed: bool) -> dict[str, Any]:
+    def _run(self, image: bytes, *, is_allowed: bool) -> dict[str, Any]:
         """Writes a program on the brick and starts it; returns as `send` does."""
         if not is_allowed:
             return {"ask": [f"Writes {PROGRAM} on the brick, and starts it."]}
-        self._move("put", PROGRAM, image, lambda: self.panel("start", PROGRAM, is_allowed=True))
+        self._move("put", PROGRAM, image, lambda: self.panel("start", PROGRAM, True))
         return {}
 
     def _move(self, action: str, path: str, data: bytes, then: Callable[[], object]) -> None:
@@ -227,22 +259,22 @@ class RealBrick:
         self.connection.converse(talk(), done)
         self.connection.advance()
 
-    def panel(self, action: str, text: str, *, is_allowed: bool) -> dict[str, Any]:
+    def panel(self, action: str, text: str, is_allowed: bool) -> dict[str, Any]:
         """Does one of PANEL, as `send` sends a command: it asks first."""
         prepared = direct(PANEL[action](text), 0, 0, SyncMode.SYNC, DIALECT)
         return self.send([build_frame(prepared.kind, 0, prepared.body)], is_allowed=is_allowed)
 
     # The comparison with the virtual brick
 
-    def compare(self, capture: bytes, *, computes: bool) -> None:
+    def compare(self, capture: bytes, computes: bool) -> None:
         """Sends the commands of a capture of the virtual brick that only read, and compares the answers.
 
         Args:
             capture: The capture.
             computes: Whether to send also what only computes.
         """
-        self.watch.ask_firmware()
-        self._comparison = Comparison(self.connection, self.watch, self._tell, capture, computes=computes)
+        self._watch.ask_firmware()
+        self._comparison = Comparison(self.connection, self._watch, self._tell, capture, computes=computes)
         self._comparison.next()
         self.connection.advance()
 

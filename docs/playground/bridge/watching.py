@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 from ev3proto.link import questions
-from ev3proto.link.commands import Prepared, SyncMode, direct
+from ev3proto.link.commands import SyncMode, direct
 from ev3proto.link.errors import LinkError
+from ev3proto.link.policy import Outcome, Talk
 from ev3proto.link.questions import Question
 from ev3proto.ops import input_readsi
-from ev3proto.semantics.replies import Value
+from ev3proto.schema.header import Header, build_frame
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE
 from ev3proto.tables.input import MOTOR_PORTS, SENSOR_PORTS
 
-from .connection import Connection, Job
+from .connection import Connection
 
 PERIOD = 1.0
 """Seconds between two rounds of questions."""
@@ -85,33 +87,26 @@ class Watch:
     def _ask(self, question: Question[Any], know: Callable[[Any], None]) -> None:
         prepared = direct(question.operations, 0, 0, SyncMode.SYNC, DIALECT)
 
-        def answered(job: Job, reply: bytes | None, _: float) -> None:
-            values = _values(prepared, job.frame, reply)
-            if values is not None:
+        def talk() -> Talk:
+            reply = yield build_frame(prepared.kind, 0, prepared.body)
+            return Outcome(reply=reply)
+
+        def done(outcome: Outcome, _: float, reason: str) -> None:
+            reply = outcome.reply
+            if reply is None:
+                self._know(silence=reason)
+                return
+            sent = build_frame(prepared.kind, Header.read(reply).counter, prepared.body)
+            with suppress(LinkError):
+                values = prepared.result(sent, reply)
+                assert isinstance(values, list)
                 know(question.read(values))
 
-        self._connection.add(
-            Job(lambda session: session.command(prepared.kind, prepared.body), answered, self._unknown)
-        )
-
-    def _unknown(self, _: Job, reason: str) -> None:
-        self._know(silence=reason)
+        self._connection.converse(talk(), done)
 
     def _know(self, *, silence: str = "", **facts: Any) -> None:
         self.facts |= facts
         self._tell(facts=self.facts | {"silence": silence})
-
-
-def _values(prepared: Prepared, frame: bytes, reply: bytes | None) -> list[Value] | None:
-    """Returns the values in a reply; None for an error."""
-    if reply is None:
-        return None
-    try:
-        values = prepared.result(frame, reply)
-    except LinkError:
-        return None
-    assert isinstance(values, list)
-    return values
 
 
 def shown(kind: int, mode: int, value: float) -> tuple[str, str]:

@@ -230,7 +230,7 @@ MAKERS = {
 )
 def test_memory_has_a_limit(kind: str, tmp_path: Path) -> None:
     peaks = []
-    for count in (effort(3000, 15_000), effort(6000, 45_000)):
+    for count in (effort(1500, 15_000), effort(6000, 45_000)):
         path = tmp_path / f"{count}.pcap"
         path.write_bytes(MAKERS.get(kind, hostile)(kind, count))
         call = [sys.executable, "-c", PEAK, "decode", "--dialogues", "--memory", "1", str(path)]

@@ -65,6 +65,7 @@ OTHERWISE = {
     ("link", "counts itself"): (NOTHING_YET, "more bytes may come"),
     ("link", "cut"): (NOTHING_YET, "more bytes may come"),
     ("link", "operations"): ("not a frame, 94:01:01", "a brick does not send operations"),
+    ("page", "operations"): ("A frame without its header: plays 440 Hz", "its headline says what they do"),
 }
 """What rooms rightly say otherwise, and why."""
 

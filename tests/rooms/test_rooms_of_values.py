@@ -177,14 +177,15 @@ def test_json(constant: Constant, wrong: Wrong | None) -> None:
 
 @each("constant, wrong", cases())
 def test_likelihood(constant: Constant, wrong: Wrong | None) -> None:
-    """Legal, but rare: handles and addresses as constants, labels out of programs, floats of odd bits, other layers."""
+    """Legal, but rare: handles, addresses, labels out of programs, floats of odd bits, other layers, no motor."""
     argument = constant.argument
     form, value = argument.form, argument.value
     least, most = ROOMS[wrong].cost
     ((_, reading),) = CommandCode(constant.frame, constant.dialect).first
     ((_, usually),) = CommandCode(constant.with_usual().frame, constant.dialect).first
     is_odd = isinstance(value, float) and value != 0 and not 1e-5 < abs(value) < 1e9
-    is_rare = form.handle or form.address or form.kind == JUMP or is_odd or argument.parameter.role is Role.LAYER
+    is_unusual = argument.parameter.role is Role.LAYER or _is_no_motor(constant)
+    is_rare = form.handle or form.address or form.kind == JUMP or is_odd or is_unusual
     assert least <= reading.cost - usually.cost <= (11 if is_rare else most)
 
 
@@ -200,9 +201,12 @@ def _is_plausible(frame: bytes, dialect: str) -> bool:
 
 def _is_sent(constant: Constant, wrong: Wrong | None) -> bool:
     """Returns whether it may claim a capture: some operations never do, and a set of no motors proves nothing."""
-    argument = constant.argument
-    is_empty = argument.parameter.role is Role.MOTORS and argument.value == 0
-    return ROOMS[wrong].is_sent and not is_empty and _is_plausible(constant.with_usual().frame, constant.dialect)
+    sent = ROOMS[wrong].is_sent and not _is_no_motor(constant)
+    return sent and _is_plausible(constant.with_usual().frame, constant.dialect)
+
+
+def _is_no_motor(constant: Constant) -> bool:
+    return constant.argument.parameter.role is Role.MOTORS and constant.argument.value == 0
 
 
 @each("parameter, declared", {one.argument.parameter: one for one, _ in cases()}.items())

@@ -194,11 +194,11 @@ def test_a_text_among_frames_is_passed_over() -> None:
         "sent table: 0x5581c3a0": "print table.concat(bytes, ' ')",
     }.items(),
 )
-def test_a_string_of_source_code_is_not_operations() -> None:
-    assert list(read_text(["    'abc\\033[mdef',"])) == []
-
-
 def test_the_name_of_an_array_is_answered_with_how_to_print_it(text: str, how: str) -> None:
     (piece,) = read_text([f"{text}\n"])
     assert piece.data == b""
     assert how in (piece.problem or "")
+
+
+def test_a_string_of_source_code_is_not_operations() -> None:
+    assert list(read_text(["    'abc\\033[mdef',"])) == []

@@ -240,6 +240,21 @@ def test_paths() -> None:
         assert stub.got == []
 
 
+def test_a_folder_is_not_opened_as_a_file() -> None:
+    """The firmware would; the folder above is listed first, and it names only files that may be opened."""
+    with_a_folder = LISTED + b"inner/\n"
+
+    def listed(frame: bytes) -> bytes:
+        return answered(frame, 8, len(with_a_folder), 0, 0, 0, 5, *with_a_folder)
+
+    with before(listed) as (stub, found), Client(found.proxy.port) as client:
+        for path, status in (("../prjs/inner", 11), ("../prjs/none.rtf", 1), ("../prjs", 1), ("../prjs/inner/", 1)):
+            for number in (BEGIN_UPLOAD, 0x96):
+                reply = client.ask(begin(path, 10, number))
+                assert (reply[4], reply[6]) == (5, status), path
+        assert set(stub.commands) <= {LIST}
+
+
 def test_sizes_are_the_proxy_s_own() -> None:
     with before(with_a_file) as (stub, found), Client(found.proxy.port) as client:
         for asked in (0, 1, 100, 1012, 1024, 4096, 65535):

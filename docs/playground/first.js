@@ -10,11 +10,26 @@ export const frameOf = (text) => {
   return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
 };
 
+const MOST_MISSING = 4;
+
+/**
+ * Whether Python certainly reads these bytes as one frame, and says no more of it. It may take what is longer than its length says, or
+ * much shorter, for something else, and says how much of a file came.
+ *
+ * @param {any} message
+ */
+const isSure = ({ type, length, hex, fields = {} }) => {
+  const missing = length + 2 - hex.length / 2;
+  return type && missing >= 0 && missing <= MOST_MISSING && fields.path === undefined;
+};
+
 /** Returns what the page shows of a frame until Python has read it; null for any other text. @param {string} text */
 export const firstAnswer = (text) => {
   const frame = frameOf(text.trim());
   if (!frame) return null;
-  const message = decode(frame), lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
+  const message = decode(frame);
+  if (!isSure(message)) return null;
+  const lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
   const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
   return {
     headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") },

@@ -196,6 +196,7 @@ const openLink = async (isFirst = false) => {
       find("start").hidden = text !== "";
       keep(text);
       look(text.length, false, "look", text, "");
+      if (!isFirst) preview(text);
     }
   } catch (error) {
     change({ error: error instanceof Error ? error.message : String(error) });
@@ -210,31 +211,40 @@ if (document.activeElement === document.body && !matchMedia("(pointer: coarse)")
 /** Shows a frame until Python has read it. @param {string} text */
 const preview = (text) => {
   const answer = state().isReady ? null : firstAnswer(text);
+  document.body.classList.toggle("early", answer !== null);
   if (!answer) return;
   view(answer, false);
   change({ isStale: false });
 };
 
-/** Shows the frame of the link, or of what was kept, at once. Returns when it can be seen. */
+/** Shows the frame of the link, of what was kept, or an example at once. Returns when it can be seen. */
 export const showFirst = async () => {
   const text = await textOf(location.hash).catch(() => "") ?? await kept();
+  if (text === null) {
+    const [[, example]] = EXAMPLES;
+    input.value = example;
+    preview(example);
+    // What is typed or pasted takes its place.
+    input.select();
+    input.addEventListener("focus", () => { if (input.value === example) input.select(); }, { once: true });
+  }
   if (text instanceof File) {
     latest = text;
     input.placeholder = text.name;
     find("start").hidden = true;
   }
-  if (typeof text !== "string") return;
-  keep(text);
-  input.value = text;
-  find("start").hidden = text !== "";
-  preview(text);
+  if (typeof text === "string") {
+    keep(text);
+    input.value = text;
+    find("start").hidden = text !== "";
+    preview(text);
+  }
   // A page in the background is not painted, but Python starts all the same.
   await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); setTimeout(resolve, PAINTED); });
 };
 
 /** Reads what is there when Python is ready: the link, what was typed meanwhile, or what was kept. */
 export const readFirst = async () => {
-  find("start").hidden = input.value !== "" || latest !== null;
   if (await openLink(true)) return;
   if (latest && !input.value) await open(latest);
   else look(input.value.length, false, "look", input.value, "");

@@ -12,12 +12,16 @@ import { realBrick } from "./real_brick.js";
 import { sending } from "./sending.js";
 import { buttonTexts, change, follow } from "./state.js";
 
+/** Characters of a sentence, in place of a word or two about what is loaded. */
+const LONG = 60;
+
 follow((known) => {
   for (const id of /** @type {const} */ (["status", "note", "about", "byte"])) setText(id, known[id]);
   for (const [id, text] of buttonTexts(known)) setText(id, text);
   find("send", HTMLButtonElement).disabled = !known.isReady;
   find("download").hidden = !known.isProgram || known.file !== "";
   document.body.classList.toggle("stale", known.isStale);
+  find("status").classList.toggle("long", known.status.length > LONG);
   find("filter").hidden = !known.canFilter;
   find("kept").hidden = !known.kept;
   inside(find("kept"), "small", HTMLElement).textContent = known.kept;

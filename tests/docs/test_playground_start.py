@@ -15,9 +15,12 @@ from typing import Any
 
 import pytest
 from selenium.webdriver import Chrome
-from support.browser import chromium
+from support.browser import chromium, emulated
 from support.effort import effort
+from support.frames import drawn
 from support.playground import Page, fragment
+
+from ev3proto.testing import frames, mutated_frames
 
 pytest_plugins = ["support.playground_fixtures"]
 
@@ -105,6 +108,63 @@ def before_the_page(browser: Chrome, script: str) -> Iterator[None]:
     yield
     browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", put)
 
+
+# The first frame
+
+WRONG = "0x|08:00|01:00|00|05:00|81:01:61|"
+"""It begins as TONE does, without a fault that its bytes alone show; Python finds a variable outside of the memory."""
+
+PLACES = (
+    "return ['send', 'bytes', 'header', 'tree'].map((id) => document.getElementById(id).getBoundingClientRect().top)"
+)
+CONTENTS = "return ['bytes', 'header', 'tree'].map((id) => document.getElementById(id).innerHTML)"
+
+
+def test_nothing_moves_when_python_answers(visitor: tuple[Page, Line]) -> None:
+    page, line = visitor
+    for width, most in ((1400, 1), (390, 2)):
+        with emulated(page.browser, width, 900, is_phone=width < 1000):
+            for text in (TONE, WRONG, None):
+                line.held = {"worker.js"}
+                page.open("" if text is None else fragment(text), wait=False)
+                page.wait(lambda: page.text("verdict") == "It is being checked.")
+                before, contents = page.run(PLACES), page.run(CONTENTS)
+                line.held = set()
+                page.wait(lambda: page.is_ready and page.text("verdict") != "It is being checked.")
+                page.wait(lambda text=text: text != WRONG or page.texts("#remedies button"))
+                assert [abs(one - other) <= most for one, other in zip(before, page.run(PLACES), strict=True)] == [
+                    True
+                ] * 4
+                assert page.run(CONTENTS) == contents
+                if text is None:
+                    # The example is there as if it were typed, but the page is as good as empty.
+                    assert (page.input, page.is_shown("start"), page.browser.current_url) == (TONE, True, page.address)
+                    assert page.run("return input.selectionEnd - input.selectionStart") == len(TONE)
+                    assert page.run("return Object.keys(sessionStorage)") == []
+
+
+def test_frames_look_the_same_before_python_is_there_and_after(visitor: tuple[Page, Line]) -> None:
+    page, line = visitor
+    line.held = {"worker.js"}
+    page.open(fragment(TONE), wait=False)
+    page.wait(lambda: page.text("verdict") == "It is being checked.")
+    count = effort(10, 500)
+    given = [each for strategy in (frames(), mutated_frames()) for each in drawn(strategy, count) if len(each) > 4]
+    early = {}
+    for frame in given:
+        page.type(frame.hex())
+        if page.run("return document.body.matches('.early')"):
+            early[frame] = page.run(CONTENTS)
+    assert len(early) > len(given) / 2
+    line.held = set()
+    page.wait(lambda: page.is_ready)
+    for frame, shown in early.items():
+        page.type(frame.hex())
+        page.wait(lambda: not page.run("return document.body.matches('.stale')"))
+        page.wait(lambda shown=shown: page.run(CONTENTS) == shown, 20)
+
+
+# What does not come
 
 SCRIPTS = ("worker.js", "boot.js", "loads.js")
 PYODIDE = tuple(f"pyodide/pyodide.{name}" for name in ("mjs", "asm.js", "asm.wasm"))

@@ -161,7 +161,7 @@ def test_conversations_have_the_numbers_of_records(tshark: Tshark) -> None:
     path = tshark.place(capture.data(), "numbers.pcap")
     records = {2: 1, 3: 1, 4: 2, 7: 3, 8: 3, 9: 1}
     for engine in ("builtin", "wireshark"):
-        found = ev3proto.read(path, engine=engine, tshark=tshark.path)
+        found = ev3proto.read(path, engine=engine, tshark=str(tshark.path))
         assert {each.numbers[-1]: each.connection for each in found if isinstance(each, ev3proto.Record)} == records
     for words in ((), ("-2",)):
         fields = ("-T", "fields", "-e", "frame.number", "-e", "ev3.connection", "-Y", "ev3.connection")

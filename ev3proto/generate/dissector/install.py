@@ -20,6 +20,7 @@ from pathlib import Path
 from ev3proto.generate.dissector import profile
 from ev3proto.generate.dissector.build import files, is_unchanged
 from ev3proto.version import VERSION
+from ev3proto.whole_files import write_whole
 
 TIMEOUT = 60
 PLATFORM = sys.platform
@@ -165,7 +166,9 @@ def _write(path: Path, text: str, is_ours: Callable[[str], bool], *, force: bool
         path.parent.mkdir(parents=True, exist_ok=True)
         outcome = _outcome(path, data, is_ours, force=force)
         if outcome not in (InstallResult.SAME, InstallResult.KEPT):
-            _replace(path, data)
+            if path.is_symlink():
+                path.unlink()  # what it points to stays
+            write_whole(path, data)
     except OSError as error:
         raise InstallError(f"{error.filename or path} cannot be written: {error.strerror or error}") from error
     return outcome
@@ -181,17 +184,6 @@ def _outcome(path: Path, data: bytes, is_ours: Callable[[str], bool], *, force: 
     if is_ours(found.decode("utf-8", "replace").replace("\r\n", "\n")):
         return InstallResult.REPLACED
     return InstallResult.FORCED if force else InstallResult.KEPT
-
-
-def _replace(path: Path, data: bytes) -> None:
-    """Replaces a file by a new one; a link's target stays unchanged."""
-    new = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        with new.open("xb") as stream:
-            stream.write(data)
-        new.replace(path)
-    finally:
-        new.unlink(missing_ok=True)
 
 
 class Tshark:

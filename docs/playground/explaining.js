@@ -15,6 +15,8 @@ const GAP = 4;
 const tip = find("tip");
 /** @type {Element | null} */
 let explained = null;
+/** Whether it is explained because the pointer is there: else the pointer does not end it, over which a page may scroll. */
+let isPointed = false;
 
 /** Returns the operation that a line of the tree is part of. @param {Element | null} line */
 const operationOf = (line) => {
@@ -44,6 +46,7 @@ const place = () => {
 const hide = () => {
   explained?.removeAttribute("aria-describedby");
   explained = null;
+  isPointed = false;
   tip.hidden = true;
 };
 
@@ -69,7 +72,10 @@ const pieceAt = ({ target }) => {
 };
 
 document.addEventListener("pointerover", (event) => {
-  if (event.pointerType !== "touch" && event.target !== tip && event.target instanceof Node && !tip.contains(event.target)) explain(pieceAt(event));
+  const piece = pieceAt(event);
+  if (event.pointerType === "touch" || (event.target instanceof Node && tip.contains(event.target)) || !(piece || isPointed)) return;
+  explain(piece);
+  isPointed = piece !== null;
 });
 document.addEventListener("click", (event) => {
   const { target } = event;

@@ -48,8 +48,10 @@ def advice(found: Identity) -> str | None:
 
 def strange_line(line: str) -> str | None:
     """Returns what a line without a frame is about, as a sentence; None for any other."""
-    found = (one for one in LINES if one.mark in line and re.search(one.pattern, line, re.IGNORECASE))
-    return next((one.says for one in found), None)
+    for _, mark, pattern, says in LINES:
+        if mark in line and re.search(pattern, line, re.IGNORECASE):
+            return says
+    return None
 
 
 def other_reading(found: Identity) -> str | None:

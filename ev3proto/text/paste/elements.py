@@ -266,8 +266,8 @@ def widened(line: str, number: int, *, is_inside: bool) -> tuple[list[TextElemen
     wide = _TEXT_IN_CALL.sub(TEXT, "".join([*parts, line[at:]]))
     if wide == line:
         return None
-    found, after = elements_of(wide, number)
-    return [_named(one, line) for one in found], after
+    elements, after = elements_of(wide, number)
+    return [_named(one, line) for one in elements], after
 
 
 def _named(element: TextElement, line: str) -> TextElement:
@@ -472,8 +472,8 @@ def _plain(name: str) -> str:
 @cache
 def _constants() -> dict[str, bytes]:
     """Returns the bytes of the names of LEGO's headers, operations and types of frames, as `_plain` writes names."""
-    found = {name: names.constant(name) for name in names.constant_names()}
-    types = dict(MessageType.__members__)
+    found: dict[str, object] = {name: names.constant(name) for name in names.constant_names()}
+    types: dict[str, object] = {**MessageType.__members__}
     # `CommandType.DirectReply` is a command, `ReplyType.DirectReply` a reply.
     commands = {name.replace("_COMMAND", ""): types[name] for name in types if "_COMMAND" in name}
     found |= {f"OP{one.name}": one.number for one in OPCODES} | types

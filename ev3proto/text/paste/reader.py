@@ -14,7 +14,7 @@ from itertools import chain
 
 from ev3proto.schema.frame import is_flawless, parse
 from ev3proto.schema.header import frame_end
-from ev3proto.semantics.identify import identify
+from ev3proto.semantics.identify import LOOKS, identify
 from ev3proto.text.paste.elements import BYTES, EXPRESSION, TextElement, clean, unknown_bytes
 from ev3proto.text.paste.frames import FrameSpan, is_carried, is_whole
 from ev3proto.text.paste.heads import NO_HEAD, Head, announced, direction_of, head_of
@@ -463,7 +463,7 @@ def _spans_rows(reading: Reading, rows: list[Row]) -> bool:
 
 
 def _is_meant(data: bytes) -> bool:
-    return identify(data, missing=False).is_meant
+    return len(data) >= LOOKS and identify(data, missing=False).is_meant
 
 
 def _extents(

@@ -51,11 +51,6 @@ def shape(gap: str) -> str:
     return re.sub(r"[:|+]", "", plain) + " " * (" " * _COLUMN in gap)
 
 
-def _length(element: TextElement) -> int:
-    """Returns the digits of an element; 0 for what says itself what it is, but for a literal of many bytes."""
-    return len(element.text) if element.kind == "digits" or _LITERAL.match(element.text) else 0
-
-
 class Part(NamedTuple):
     """Consecutive elements of a run that have bytes in a base: the first's place, their bytes, where each begins."""
 
@@ -95,7 +90,8 @@ class Run:
         self.widths = [len(one.text) if one.kind == "digits" else 0 for one in elements]
         kinds = {one.kind for one in elements}
         self.has_unknown = "unknown" in kinds
-        self.is_mixed = "string" in kinds and any(self.widths)
+        self.has_string = "string" in kinds
+        self.is_mixed = self.has_string and any(self.widths)
         self.bases = bases or _bases(elements, kinds)
 
     @cached_property
@@ -103,9 +99,11 @@ class Run:
         """The places of the elements in front of which something changes: the usual gap, or how they are written."""
         shapes = [shape(one.gap) for one in self.elements]
         usual = self._usual(shapes)
-        lengths = [*map(_length, self.elements)]
-        most, is_any_string = max(lengths), any(one.kind == "string" for one in self.elements)
-        is_uniform = not is_any_string and (most < _WIDE or (most < 2 * LEAST and len({*lengths}) == 1))
+        # What says itself what it is has no digits, but for a literal of many bytes.
+        elements = zip(self.elements, self.widths, strict=True)
+        lengths = [width or (len(one.text) if _LITERAL.match(one.text) else 0) for one, width in elements]
+        most = max(lengths)
+        is_uniform = not self.has_string and (most < _WIDE or (most < 2 * LEAST and len({*lengths}) == 1))
         return [
             place
             for place in range(1, len(shapes))

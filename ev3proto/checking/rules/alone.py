@@ -5,7 +5,7 @@ Frames in a capture or a log get none of them, since other commands may complete
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -60,5 +60,10 @@ def _percent(operation: CheckedOperation, argument: Argument, number: int) -> It
 
 
 _ROUND = 5
-_OF_ROLES = {Role.MOTORS: _mask, Role.MOTOR: _motor, Role.PORT: _sensor, Role.DRIVE: _percent}
+_OF_ROLES: dict[Role | None, Callable[[CheckedOperation, Argument, int], Iterator[Finding]]] = {
+    Role.MOTORS: _mask,
+    Role.MOTOR: _motor,
+    Role.PORT: _sensor,
+    Role.DRIVE: _percent,
+}
 """The rules on the values of arguments, by what these are."""

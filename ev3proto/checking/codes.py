@@ -8,6 +8,9 @@ messages between bricks, 9 encodings.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from string import Formatter
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -22,11 +25,17 @@ from ev3proto.tables.system import FLASH_SIZE
 from ev3proto.tables.validation import LABELS
 
 
-class Words(NamedTuple):
+@dataclass(frozen=True)
+class Words:
     """What a finding says: templates with named parts, such as {name} and {value}."""
 
     message: str
     help: str
+
+    @cached_property
+    def parts(self) -> frozenset[str]:
+        """The names of the parts."""
+        return frozenset(name for _, name, *_ in Formatter().parse(self.message + self.help) if name)
 
 
 _Texts = Mapping[Wrong | Role | str, Words]
@@ -67,7 +76,8 @@ class FindingCode(NamedTuple):
             key: Of the words.
             parts: What the words name; `owner` is the operation or system command, `name` the parameter or field.
         """
-        message, help_ = [text.format(**parts) for text in self.words[key]]
+        words = self.words[key]
+        message, help_ = words.message.format(**parts), words.help.format(**parts)
         owner, name = [None if parts.get(part) is None else str(parts[part]) for part in ("owner", "name")]
         return self.finding(offset, length, message, help_, owner, name)
 

@@ -26,7 +26,8 @@ def check_alone(context: CheckContext) -> Iterator[Finding]:
         if operation.has(Effect.AWAITS_START) and not is_started:
             yield operation.finding(codes.NOT_STARTED)
         for argument in operation.arguments:
-            number, rule = whole_number(argument), _OF_ROLES.get(argument.parameter.role)
+            number, role = whole_number(argument), argument.parameter.role
+            rule = _OF_ROLES.get(role) if role is not None else None
             if number is not None and rule is not None:
                 yield from rule(operation, argument, number)
 

@@ -346,7 +346,8 @@ def test_endless_commands_do_not_keep_others_out(tmp_path: Path, monkeypatch: py
         # They would have to wait for minutes after the other client's.
         assert time.monotonic() - begin < 30
         assert bad.reply()[4] == 0x04
-        assert "was ended after 0.3 s" in brick.said[-1]
+        # After so much time of the processor, or of the clock.
+        assert any("was ended after 0." in said for said in brick.said)
 
 
 def test_a_client_that_connects_for_each_command_is_not_ahead_of_others(tmp_path: Path) -> None:

@@ -38,9 +38,12 @@ def built_site() -> Path:
 
 
 def _digest() -> str:
-    """Returns a name for all that the site is made from: the files, Python, and what is installed."""
+    """Returns a name for all that the site is made from: the files, Python, and what is installed.
+
+    A distribution counts once, however often the paths of modules lead to it, which differ by who asks.
+    """
     digest = hashlib.sha256(sys.version.encode())
-    digest.update(repr(sorted((each.name, each.version) for each in distributions())).encode())
+    digest.update(repr(sorted({(each.name, each.version) for each in distributions()})).encode())
     for path in _inputs():
         digest.update(f"\n{path.relative_to(ROOT)}\n".encode() + path.read_bytes())
     return digest.hexdigest()[:16]

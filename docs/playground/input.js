@@ -199,7 +199,10 @@ const openLink = async (isFirst = false) => {
       if (!isFirst) preview(text);
     }
   } catch (error) {
-    change({ error: error instanceof Error ? error.message : String(error) });
+    const said = error instanceof Error ? error.message : String(error), address = location.href;
+    change({ error: said });
+    // An answer that was on its way would take its place.
+    current().then(() => { if (location.href === address) change({ error: said }); });
   }
   return true;
 };

@@ -306,7 +306,7 @@ class Brick:
 
     @property
     def spent(self) -> float:
-        """CPU seconds that the direct command in progress has taken."""
+        """CPU seconds that the direct command in progress has computed; looking whether a wait is over takes none."""
         return 0.0 if self._command is None else self._command.spent
 
     @property
@@ -412,8 +412,7 @@ class Brick:
         if program is None:
             return self._continue_system(command)
         self.machine.slots[CMD_SLOT] = program
-        begun = now = thread_time()
-        spent = command.spent
+        now = thread_time()
         has_waited = False
         while program.status == RUNNING:
             is_endless = command.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
@@ -423,12 +422,12 @@ class Brick:
                 break
             deadline = min(self._deadline, now + MOST_PROCESSOR_SECONDS - command.spent)
             executed, is_waiting = self.machine.turn(program, OPERATIONS_PER_TURN, deadline)
+            begun, now = now, thread_time()
             if not is_waiting:
                 command.executed += max(OPERATIONS_OF_A_TURN, executed)
+                command.spent += now - begun
             if program.status != RUNNING:
                 break
-            now = thread_time()
-            command.spent = spent + now - begun
             if now > self._deadline and program.is_working:
                 self._command, self._is_computing = None, False
                 self._long.append(command)
@@ -528,7 +527,7 @@ class _Command:
     program: Program | None  # of a direct command; None for a system command
     global_size: int = 0
     executed: int = 0  # operations so far, without those that waited
-    spent: float = 0.0  # CPU seconds of this computer that it has taken
+    spent: float = 0.0  # CPU seconds of this computer that it has computed
     steps: Steps[tuple[bool, bytes] | None] = field(default_factory=_no_steps)  # the rest of a system command
     number: bytes = b""  # of a system command
     is_gone: bool = False  # whether its connection has ended

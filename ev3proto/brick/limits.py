@@ -64,7 +64,7 @@ UNLOCK_TIME = 30.0
 
 
 DEVIATIONS: tuple[str, ...] = (
-    f"A direct command is ended after {PATIENCE:g} s if another client waits.",
+    f"A direct command is ended after {PATIENCE:g} s, or {MOST_SPENT:g} s of processor time, if another client waits.",
     f"A client that has not sent the unlock text after {UNLOCK_TIME:g} s is disconnected.",
     "A frame with a header error is answered (length 3, 0x04), and the brick continues; a real one must be restarted.",
     "An operation that accesses memory out of bounds fails with 0x04: variables beyond local and global memory,"

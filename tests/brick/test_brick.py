@@ -301,4 +301,5 @@ def test_a_wait_of_minutes_is_not_endless(brick: Brick) -> None:
     wait = command(op("TIMER_WAIT", 120_000, LV(0)), op("TIMER_READY", LV(0)), locals=4)
     assert brick.receive(wait) == []
     assert brick.advance(119) == []
+    assert brick.spent == 0
     assert [taken_apart(reply)[0] for reply in brick.advance(2)] == [OK]

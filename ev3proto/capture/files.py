@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import filecmp
 import hashlib
-import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -25,8 +24,7 @@ from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.errors import counted
 from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.semantics.transfers import LISTINGS, UPLOADS, ends, entry_of, piece_of, shortage, size_of
-from ev3proto.tables.encoding import STRING_CODING
+from ev3proto.semantics.transfers import LISTINGS, UPLOADS, ends, entry_of, piece_of, read_listing, shortage, size_of
 from ev3proto.tables.system import FieldKind, SystemDeclaration
 from ev3proto.temporary import PREFIX, temporary_folder
 
@@ -130,7 +128,7 @@ def recover(
 
 
 def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -> Path | None:
-    is_whole = moving.bytes == moving.size and moving.failure is None
+    is_whole = moving.outcome not in (FileState.INCOMPLETE, FileState.REFUSED)
     if not is_whole and not moving.bytes:
         return None
     parts = (safe_name(moving.peer), *moving.parts) if several else moving.parts
@@ -178,7 +176,7 @@ class _Moving:
     def outcome(self) -> FileState:
         if self.failure is not None:
             return FileState.INCOMPLETE if self.bytes else FileState.REFUSED
-        if self.bytes != self.size:
+        if shortage(self.bytes, self.size) is not None:
             return FileState.INCOMPLETE
         if self.direction == FROM_BRICK or self.unanswered is None or self.is_listed:
             return FileState.COMPLETE
@@ -216,9 +214,6 @@ class _Moving:
 
 TO_BRICK, FROM_BRICK = "to brick", "from brick"
 
-_LINE = re.compile(rb"([0-9A-Fa-f]{32}) ([0-9A-Fa-f]{8}) ([^\n]+)")
-"""A file in a listing: MD5, size, name."""
-
 MOST_LISTED = 1 << 20
 """Maximum number of bytes of listings that are kept to find out whether files have arrived."""
 
@@ -240,13 +235,13 @@ class _Folders:
 
     def have(self, moving: _Moving) -> bool:
         """Returns whether a listing after the last message of a file has it, with its size and MD5."""
-        wanted = moving.digest.hexdigest(), moving.bytes
-        for transfer, number, text in self._listed.values():
-            for digest, size, name in _LINE.findall(text) if number > moving.last else ():
-                path = f"{transfer.path}/{name.decode(STRING_CODING)}"
-                if (digest.decode().lower(), int(size, 16)) == wanted and parts_of(path) == moving.parts:
-                    return True
-        return False
+        wanted = moving.bytes, moving.digest.hexdigest()
+        return any(
+            (file.size, file.md5) == wanted and parts_of(f"{transfer.path}/{file.name}") == moving.parts
+            for transfer, number, text in self._listed.values()
+            if number > moving.last
+            for file in read_listing(bytes(text)).files
+        )
 
 
 _Loose = tuple[tuple[str, int], str, int]

@@ -20,7 +20,7 @@ from ev3proto.link.channel import Ticket
 from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of
 from ev3proto.link.errors import LinkError
 from ev3proto.link.ev3 import ENDING, EV3, Command, longest, prepared, read_source
-from ev3proto.link.file_moves import File, Listing, Progress, Task, nothing_moved
+from ev3proto.link.file_moves import Progress, Task, nothing_moved
 from ev3proto.link.printing import RECEIVED, SENT
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.transfers import OpenTransfers, next_of
@@ -28,6 +28,7 @@ from ev3proto.link.verbs import Verbs
 from ev3proto.messages import Message
 from ev3proto.ops import com_set, info
 from ev3proto.schema.frame import parse
+from ev3proto.semantics.transfers import File, Listing
 from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")

@@ -18,7 +18,7 @@ from ev3proto.link.carriers.opening import CONNECT_TIMEOUT
 from ev3proto.link.channel import Channel, Ticket, known_timeout
 from ev3proto.link.commands import Prepared, Result, SyncMode, counter_bytes, counter_of, direct, system
 from ev3proto.link.errors import LinkError
-from ev3proto.link.file_moves import COPYING, MOST_FILE, File, Listing, Progress, Task, nothing_moved
+from ev3proto.link.file_moves import COPYING, MOST_FILE, Progress, Task, nothing_moved
 from ev3proto.link.printing import RECEIVED, SENT, frame_printer, known_verbosity
 from ev3proto.link.questions import Battery, Memory, Network, Question, Sensors, System
 from ev3proto.link.targets import Target, chosen_target
@@ -27,6 +27,7 @@ from ev3proto.link.verbs import Verbs
 from ev3proto.messages import DirectCommand, Message, SystemCommand
 from ev3proto.ops import com_set, info
 from ev3proto.schema.frame import parse
+from ev3proto.semantics.transfers import File, Listing
 from ev3proto.whole_files import write_whole
 
 T = TypeVar("T")

@@ -9,14 +9,14 @@ import hashlib
 import posixpath
 import secrets
 from collections.abc import Callable, Generator
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 from ev3proto.compose import command
 from ev3proto.link.errors import LinkError, SystemCommandError, TransferError
 from ev3proto.messages import DirectCommand, SystemCommand, SystemReply
 from ev3proto.ops import file, memory_usage
 from ev3proto.semantics.replies import values_of
-from ev3proto.semantics.transfers import is_complete, piece_of, size_of
+from ev3proto.semantics.transfers import File, Listing, is_complete, piece_of, read_listing, size_of
 from ev3proto.system import (
     begin_download,
     begin_upload,
@@ -27,7 +27,6 @@ from ev3proto.system import (
     list_files,
     pieces,
 )
-from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SystemStatus
 
 T = TypeVar("T")
@@ -47,23 +46,6 @@ COPYING = 120.0
 """Seconds to wait at least for the reply to a direct command: the brick copies megabytes."""
 
 _KIB = 1024
-_DIGEST_DIGITS = 32
-_SIZE_DIGITS = 8
-
-
-class File(NamedTuple):
-    """A file in a listing: its name, its bytes, and the MD5 of its contents in lower-case hex."""
-
-    name: str
-    size: int
-    md5: str
-
-
-class Listing(NamedTuple):
-    """The contents of a folder, in the brick's order; `.` and `..` are omitted."""
-
-    folders: tuple[str, ...]
-    files: tuple[File, ...]
 
 
 def nothing_moved(_done: int, _total: int) -> None:
@@ -178,20 +160,6 @@ def mkdir(path: str) -> Task[None]:
     _check((yield create_dir(path)), path)
 
 
-def read_listing(data: bytes) -> Listing:
-    """Reads a listing as the brick sends it. Lines that make no sense are omitted."""
-    folders, files = [], []
-    for line in data.decode(STRING_CODING).split("\n"):
-        md5, _, rest = line.partition(" ")
-        digits, _, name = rest.partition(" ")
-        if line.endswith("/"):
-            if line not in ("./", "../"):
-                folders.append(line[:-1])
-        elif name and len(md5) == _DIGEST_DIGITS and len(digits) == _SIZE_DIGITS and _is_hex(md5 + digits):
-            files.append(File(name, int(digits, 16), md5.lower()))
-    return Listing(tuple(folders), tuple(files))
-
-
 def _read(
     begin: SystemCommand, go_on: Callable[[int], SystemCommand], most: int, path: str, progress: Progress
 ) -> Task[bytes]:
@@ -249,7 +217,3 @@ def _begun(reply: SystemReply, path: str) -> int:
 def _check(reply: SystemReply, path: str) -> None:
     if reply.is_error and reply.status is not SystemStatus.END_OF_FILE:
         raise SystemCommandError(reply, path)
-
-
-def _is_hex(text: str) -> bool:
-    return all(letter in "0123456789abcdefABCDEF" for letter in text)

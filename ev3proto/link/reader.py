@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 
-from ev3proto.link.file_moves import read_listing
 from ev3proto.link.transfers import OpenTransfers, next_of
 from ev3proto.link.whitelist import is_own
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.fields import REPLIES
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import build_frame
-from ev3proto.semantics.transfers import LISTINGS, is_complete, piece_of, size_of
+from ev3proto.semantics.transfers import LISTINGS, is_complete, piece_of, read_listing, size_of
 from ev3proto.system import begin_upload, continue_list_files, continue_upload, list_files
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME, MessageType

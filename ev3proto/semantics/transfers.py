@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from typing import NamedTuple
+
 from ev3proto.messages import Message, SystemCommand, SystemReply
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemStatus
@@ -24,6 +27,33 @@ LISTINGS = _answers_with(FieldKind.LISTING)
 
 UPLOADS = _answers_with(FieldKind.DATA) | LISTINGS
 """The commands that move data from the brick; the others move files to it."""
+
+_FILE = re.compile(r"([0-9A-Fa-f]{32}) ([0-9A-Fa-f]{8}) (.+)")
+"""A file in a listing: MD5, size, name."""
+
+
+class File(NamedTuple):
+    """A file in a listing: its name, its bytes, and the MD5 of its contents in lower-case hex."""
+
+    name: str
+    size: int
+    md5: str
+
+
+class Listing(NamedTuple):
+    """The contents of a folder, in the brick's order; `.` and `..` are omitted."""
+
+    folders: tuple[str, ...]
+    files: tuple[File, ...]
+
+
+def read_listing(data: bytes) -> Listing:
+    """Reads a listing as the brick sends it. Lines that make no sense are omitted."""
+    lines = data.decode(STRING_CODING).split("\n")
+    folders = (line[:-1] for line in lines if line.endswith("/") and line not in ("./", "../"))
+    found = (_FILE.fullmatch(line) for line in lines if not line.endswith("/"))
+    files = (File(one[3], int(one[2], 16), one[1].lower()) for one in found if one is not None)
+    return Listing(tuple(folders), tuple(files))
 
 
 def entry_of(message: Message) -> SystemDeclaration | None:

@@ -22,8 +22,8 @@ from support.stub_brick import HangUp, reply, stub_brick
 
 import ev3proto
 from ev3proto import EV3, AsyncEV3, ops, system
-from ev3proto.link.file_moves import File, Listing
 from ev3proto.link.printing import meaning_line
+from ev3proto.semantics.transfers import File, Listing
 
 NOP = ev3proto.opNop
 

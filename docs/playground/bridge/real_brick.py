@@ -18,6 +18,7 @@ from ev3proto.messages import LV
 from ev3proto.ops import com_set, file, output_stop, program_start, program_stop
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import build_frame, frame_size
+from ev3proto.semantics.transfers import Listing
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.enumerations import SLOT
 from ev3proto.tables.frame import MAX_FRAME
@@ -306,6 +307,6 @@ PANEL: dict[str, Callable[[str], list[Draft]]] = {
 
 def _as_json(value: Any) -> Any:
     """Returns what a task found: a folder's names, with sizes of files, or the bytes of a file in base64."""
-    if isinstance(value, file_moves.Listing):
+    if isinstance(value, Listing):
         return {"folders": value.folders, "files": [[each.name, each.size] for each in value.files]}
     return base64.b64encode(value).decode() if isinstance(value, bytes) else None

@@ -383,12 +383,14 @@ class Cutter:
             return PartKind.FRAME, more
         if isinstance(front, OutOfStep):
             return PartKind.LOST, more
-        end = front
+        if self._is_doubtful(buffer, at, front) and not self._counts_itself(buffer, at, front):
+            return self._judge(buffer, at, front, is_last)
+        return PartKind.FRAME, front
+
+    def _is_doubtful(self, buffer: bytes, at: int, end: int) -> bool:
+        """Returns whether there may be a gap before or in an apparent frame."""
         may_gap = self._may_gap and any(at <= start < end for start, _ in self._marks)
-        is_doubtful = (may_gap or self._trials) and len(buffer) - at >= HEADER_SIZE
-        if is_doubtful and not self._counts_itself(buffer, at, end):
-            return self._judge(buffer, at, end, is_last)
-        return PartKind.FRAME, end
+        return (may_gap or self._trials > 0) and len(buffer) - at >= HEADER_SIZE
 
     def _judge(self, buffer: bytes, at: int, end: int, is_last: bool) -> tuple[PartKind, int]:
         """Returns the piece at the offset of an apparent frame, if there may be a gap before or in it."""

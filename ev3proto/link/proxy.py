@@ -177,11 +177,15 @@ class Proxy:
 
     def queued(self) -> None:
         """Ends the client that was silent for longest: with half a frame, or in the place of one that waits."""
-        waits = self._wifi.has_waiting
-        latest = self.now() - SILENCE
-        silent = [each for each in self.clients if each.heard <= latest and not each.waiting]
-        if not (waits and self._options.is_read_only):
-            silent = [each for each in silent if each.decoder.pending and (waits or len(self.clients) > 1)]
+        waits, latest = self._wifi.has_waiting, self.now() - SILENCE
+        if not waits and len(self.clients) == 1:
+            return
+        gives_way = waits and self._options.is_read_only
+        silent = [
+            each
+            for each in self.clients
+            if each.heard <= latest and not each.waiting and (gives_way or each.decoder.pending)
+        ]
         if silent:
             client = min(silent, key=lambda each: each.heard)
             self.say_once(f"{client.name} was disconnected: it sent no whole frame for {SILENCE:g} s, and others wait")

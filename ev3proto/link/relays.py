@@ -268,15 +268,22 @@ class Guard:
     def _turn(self) -> Talk:
         """Begins the next command, or reads on in the file that keeps the first one waiting that begins another."""
         begins = [one for one in self._turns if step_of(one.waiting[0].message) == "begin"]
-        openers = [one for one in self._owner.clients if one.policy.has_open and begins[:1] not in ([], [one])]
+        opener = self._opener(begins)
         # The others keep their order until the first of them begins.
-        ready = [one for one in self._turns if one not in (begins if openers else begins[1:])]
-        self._has_read_on = bool(openers) and not (ready and self._has_read_on)
-        if self._has_read_on:
-            return openers[0].policy.read_on()
+        blocked = begins[1:] if opener is None else begins
+        ready = [one for one in self._turns if one not in blocked]
+        if opener is not None and not (ready and self._has_read_on):
+            self._has_read_on = True
+            return opener.policy.read_on()
+        self._has_read_on = False
         self._turns.remove(ready[0])
         self._sent = ready[0].waiting[0]
         return ready[0].policy.talk(self._sent.message)
+
+    def _opener(self, begins: list[Client]) -> Client | None:
+        """Returns the client whose open file keeps the first of those waiting that begin another."""
+        opener = next((one for one in self._owner.clients if one.policy.has_open), None)
+        return opener if begins and opener is not begins[0] else None
 
     def _step(self, reply: bytes | None) -> None:
         """Continues with a reply, until the next frame is sent to the brick."""

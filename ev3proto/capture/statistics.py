@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 from ev3proto.capture.byte_account import Account
 from ev3proto.capture.dialogues import is_error
 from ev3proto.capture.latencies import Latencies, Percentiles
-from ev3proto.capture.moving import unanswered_after
+from ev3proto.capture.moving import Moved
 from ev3proto.capture.record import NANOSECONDS, OLDEST_DATE, Announcement, Event, Record, Skipped, utc
 from ev3proto.dialogue import Transfer
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand, SystemReply
@@ -240,29 +240,25 @@ class _Peer:
 
 @dataclass(slots=True)
 class _Moving:
-    transfer: Transfer
+    moved: Moved
     first_ns: int
     last_ns: int
     packet: int
     peer: str
-    failed: bool = False
-    unanswered: Record | None = None
 
     def summary(self) -> TransferSummary:
-        transfer = self.transfer
+        transfer = self.moved.transfer
         seconds = (self.last_ns - self.first_ns) / NANOSECONDS
-        is_upload = transfer.command in UPLOADS
-        is_open = not is_upload and self.unanswered is not None and self.unanswered.message.wants_reply
         return TransferSummary(
             transfer.path,
             transfer.command,
-            "from brick" if is_upload else "to brick",
+            "from brick" if transfer.command in UPLOADS else "to brick",
             transfer.transferred,
             transfer.size,
             seconds,
             transfer.transferred / seconds if seconds > 0 else None,
-            transfer.is_complete and not self.failed and not is_open,
-            self.failed,
+            self.moved.is_complete,
+            self.moved.failure is not None,
             self.packet,
             self.peer,
         )
@@ -378,11 +374,11 @@ class Statistics:
             if len(self._transfers) >= MOST_TRANSFERS:
                 self._transfers_left_out += step_of(record.message) == "begin"
                 return
-            moving = _Moving(transfer, record.time_ns, record.time_ns, record.number, record.label or record.peer)
+            peer = record.label or record.peer
+            moving = _Moving(Moved(transfer), record.time_ns, record.time_ns, record.number, peer)
             self._transfers[id(transfer)] = moving
         moving.last_ns = max(moving.last_ns, record.time_ns)
-        moving.failed |= is_error(record.message)
-        moving.unanswered = unanswered_after(record, moving.unanswered)
+        moving.moved.add(record)
 
     def _skip(self, event: Skipped) -> None:
         self._skipped_pieces += 1

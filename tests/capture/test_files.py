@@ -22,6 +22,7 @@ from ev3proto.capture import files as module
 from ev3proto.capture.files import FileState, RecoveredFile, recover, survey
 from ev3proto.capture.record import CaptureError
 from ev3proto.capture.safe_paths import MOST_BYTES, parts_of, safe_name
+from ev3proto.capture.timeline import MarkState, collect
 from ev3proto.dialogue import Dialogue
 from ev3proto.messages import FieldValue, Message
 from ev3proto.schema.frame import frame_reader
@@ -586,6 +587,9 @@ def test_a_file_is_complete_only_if_the_brick_answered_its_last_piece(
     assert list(written(tmp_path)) == ["prjs/test/t.rbf"]
     (moved,) = json.loads(run_ev3proto_text("stats", "--json", "-", stdin=text).stdout)["transfers"]
     assert moved["complete"] is (status == 0)
+    drawn = collect(event for event in ev3proto.read(text.splitlines()) if isinstance(event, Record))
+    assert drawn is not None
+    assert (MarkState.MOVED in [mark.outcome for mark in drawn.marks]) is (status == 0)
 
 
 LINE = "CAAC1DF308631609D0BAA6B2A5DAA084 00000010 t.rbf\n"

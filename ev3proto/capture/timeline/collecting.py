@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ev3proto.capture.dialogues import RequestReply, dialogues, is_error
+from ev3proto.capture.moving import Moved
 from ev3proto.capture.record import NANOSECONDS, Announcement, Event, Record, Route, Skipped, utc
 from ev3proto.capture.timeline.marks import OTHERS, TROUBLES, Bins, Lane, LaneKind, Mark, MarkState, Tally, Timeline
 from ev3proto.dialogue import Transfer
@@ -89,13 +90,12 @@ def collect_in_steps(
 
 @dataclass(slots=True)
 class _Move:
-    """A file being moved. The transfer itself is updated while the capture is read."""
+    """A file being moved."""
 
-    transfer: Transfer
+    moved: Moved
     brick: str
     begin: tuple[float, int]
     end: tuple[float, int]
-    failure: str = ""
 
 
 class _Collector:
@@ -230,18 +230,15 @@ class _Collector:
             if len(self._moves) >= MOST_FILES:
                 self._unshown += step_of(record.message) == "begin"
                 return
-            move = self._moves[id(transfer)] = _Move(transfer, brick, at, at)
+            move = self._moves[id(transfer)] = _Move(Moved(transfer), brick, at, at)
         move.begin, move.end = min(move.begin, at), max(move.end, at)
-        if is_error(record.message):
-            move.failure = _reply_text(record)
+        move.moved.add(record)
 
     def _file(self, move: _Move) -> Mark:
-        transfer, (begin, first), (end, last) = move.transfer, move.begin, move.end
-        # A failed command is already counted by its reply.
-        outcome = MarkState.MOVED if transfer.is_complete else MarkState.CUT_SHORT
-        if move.failure:
-            outcome = MarkState.ERROR
-        else:
+        transfer, failure, (begin, first), (end, last) = move.moved.transfer, move.moved.failure, move.begin, move.end
+        outcome = MarkState.MOVED if move.moved.is_complete else MarkState.ERROR if failure else MarkState.CUT_SHORT
+        if failure is None:
+            # A failed command is already counted by its reply.
             self._bricks[move.brick].outcomes[outcome] += 1
         path = visible(transfer.path[-MOST_LABEL - 1 :])
         label = path if len(path) <= MOST_LABEL else f"…{path[1 - MOST_LABEL :]}"
@@ -253,8 +250,8 @@ class _Collector:
             "moved": f"{transfer.transferred} of {'?' if transfer.size is None else transfer.size} bytes",
             "packets": f"{first} to {last}",
         }
-        if move.failure:
-            tip["error"] = move.failure
+        if failure is not None:
+            tip["error"] = _reply_text(failure)
         return Mark(Lane(move.brick, LaneKind.FILES, ""), outcome, begin, end, label, tip, first)
 
     # Limits

@@ -336,21 +336,6 @@ def test_a_dialogue_is_recorded(tmp_path: Path) -> None:
     assert found.numbers == [record.number for record in records]
 
 
-def test_read_only_lets_nothing_through_that_changes_the_brick() -> None:
-    with relay("virtual", is_read_only=True) as found, through(found) as my_ev3:
-        with pytest.raises(ev3proto.DirectCommandError):
-            my_ev3.name = "other"
-        with pytest.raises(ev3proto.SystemCommandError, match="NO_PERMISSION"):
-            my_ev3.mkdir("../prjs/a")
-        my_ev3.send_direct_cmd(b"\xff\xff\xff")  # its effect is unknown
-        assert my_ev3.name == "EV3"
-        assert found.said == [
-            "blocked by --read-only: COM_SET.SET_BRICKNAME changes settings",
-            "blocked by --read-only: CREATE_DIR creates or changes files",
-            "blocked by --read-only: the frame may do anything",
-        ]
-
-
 PROGRAM = Random(1).randbytes(1187)
 """A program of 1187 bytes, like one that a foreign client sent in a single CONTINUE_DOWNLOAD."""
 
@@ -464,23 +449,6 @@ def test_read_only_waits_for_the_reply_before_a_handle_is_used_again(tmp_path: P
         client.send(system(0x95, handle + b"\x0a\0") + system(0x98, handle))
         assert sorted(client.reply()[5:7] for _ in range(2)) == [b"\x95\x08", b"\x98\x01"]
         assert found.said == ["blocked by --read-only: CLOSE_FILEHANDLE names a handle that this client has not opened"]
-
-
-def test_read_only_keeps_one_handle(tmp_path: Path) -> None:
-    """A transfer ends with the next one: the brick goes on with the one that was opened last anyway."""
-    (tmp_path / "prjs").mkdir()
-    (tmp_path / "prjs" / "x.rtf").write_bytes(bytes(3000))
-    begin, listed = system(0x94, b"\x0a\0../prjs/x.rtf\0"), system(0x99, b"\x0a\0../prjs/\0")
-    with (
-        served(tmp_path) as brick,
-        relay(f"wifi:127.0.0.1:{brick.port}", is_read_only=True) as found,
-        Client(found.proxy.port) as client,
-    ):
-        client.send(begin * 40 + listed * 40)
-        for _ in range(80):
-            assert client.reply()[6] == 0
-            assert handles_in_use(brick) <= 1
-        assert found.said == []
 
 
 def test_a_client_gets_no_reply_to_another_one() -> None:

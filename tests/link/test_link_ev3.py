@@ -248,13 +248,6 @@ def test_files_there_and_back(my_ev3: EV3, tmp_path: Path) -> None:
         my_ev3.list_dir("../prjs/a")
 
 
-@pytest.mark.parametrize("size", [0, 1, 1012, 1013, 1017, 2028, 2029])
-def test_files_of_any_size(my_ev3: EV3, tmp_path: Path, size: int) -> None:
-    (tmp_path / "from").write_bytes(b"\x5a" * size)
-    my_ev3.download(tmp_path / "from", "../prjs/a/x.bin")
-    assert my_ev3.upload("../prjs/a/x.bin") == b"\x5a" * size
-
-
 def test_a_full_brick_takes_no_file(my_ev3: EV3) -> None:
     with pytest.raises(ev3proto.SysCmdError, match="SIZE_ERROR: there is not enough room for a file of that size"):
         my_ev3.download(bytes(1 << 23), "../prjs/x.bin")

@@ -28,7 +28,8 @@ from ev3proto.link.session import Request
 from ev3proto.schema.header import build_frame
 from ev3proto.tables.frame import MessageType
 
-SIZES = (0, 1, 1017, 1018, 64_000, 500_000)
+SIZES = (0, 1, 1012, 1013, 1017, 1018, 64_000, 500_000)
+"""At the limits of one piece in both directions, and large."""
 SHARED = Options(port=0, beacon=False, clients=4)
 PATH = "../prjs/x.rtf"
 

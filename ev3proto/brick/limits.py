@@ -34,9 +34,8 @@ MOST_SECONDS = 600
 MOST_WAITING = 4 << 20
 """Bytes of frames that wait for a direct command to end; further frames are dropped. See `Brick.is_busy`."""
 
-
 STRETCH = 0.02
-"""Seconds of the processor after which a direct command pauses, so that everything else can run."""
+"""CPU seconds after which a direct command pauses, so that everything else can run."""
 
 PATIENCE = 10.0
 """Seconds after which a direct command is ended when another client waits for it."""
@@ -61,7 +60,6 @@ MOST_PAGE_CONNECTIONS = 64
 
 UNLOCK_TIME = 30.0
 """Seconds in which a client has to send the unlock text."""
-
 
 DEVIATIONS: tuple[str, ...] = (
     f"A direct command is ended after {PATIENCE:g} s, or {MOST_SPENT:g} s of processor time, if another client waits.",

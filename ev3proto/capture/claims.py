@@ -95,15 +95,10 @@ class Claim:
             offset from which on they wait for more; else anything, the end, and no events.
 
         """
-        newest = starts[-1]
         if side != self.to_brick or self._known is None:
-            replies = self._finder.frames_of(text, newest, missing)[:1]
-            held = [each for each in self.held if each.side != side]
-            for index in reversed(range(len(held))):
-                if any(proves(reply, command) for reply in replies for command in held[index].frames):
-                    self.to_brick = held[index].side
-                    self.begin(_ANSWERED)
-                    return Found.CHAIN, newest, [event for each in held[index:] for event in each.adopt()]
+            proved = self._proved(side, self._finder.frames_of(text, starts[-1], missing)[:1])
+            if proved is not None:
+                return Found.CHAIN, starts[-1], proved
         if side != self._known is not None:
             return (Found.CHAIN, 0, []) if self._has_replies(text) else (Found.NOTHING, len(text), [])
         anywhere = self.state is _ENDED
@@ -116,6 +111,16 @@ class Claim:
         elif found is Found.SINGLE:
             self.held.append(Held(side, self._finder.frames_of(text, place, missing), adopt(place)))
         return found, place, []
+
+    def _proved(self, side: Hashable, replies: Sequence[bytes]) -> list[Event] | None:
+        """Returns the events of held commands, from the newest that a reply proves; None if it proves none."""
+        held = [each for each in self.held if each.side != side]
+        for index in reversed(range(len(held))):
+            if any(proves(reply, command) for reply in replies for command in held[index].frames):
+                self.to_brick = held[index].side
+                self.begin(_ANSWERED)
+                return [event for each in held[index:] for event in each.adopt()]
+        return None
 
     def _has_replies(self, text: bytes) -> bool:
         """Counts complete replies, and returns whether they begin a claim."""

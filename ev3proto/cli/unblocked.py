@@ -105,7 +105,7 @@ def unblocked_output() -> Iterator[None]:
         yield
     finally:
         if dropped := sum(outlet.dropped for outlet in outlets):
-            complain(f"{dropped:,} bytes of the output were dropped: they were not read, and {MOST_UNREAD:,} waited")
+            complain(f"{dropped:,} bytes of output were dropped: the reader was {MOST_UNREAD:,} bytes behind")
         for outlet in outlets:
             outlet.end()
         sys.stdout, sys.stderr = streams

@@ -1,7 +1,7 @@
 """The proxy: looks like a WiFi brick to any program, forwards everything to another brick, and returns its replies.
 
 Clients connect to the port of a virtual brick (`ev3proto.brick.servers.wifi`); one is served at a time, others wait.
-If only reading passes, many are served in turn. `relays` has what passes. One thread reads from the brick; everything
+With `is_read_only`, many are served in turn. `relays` has what passes. One thread reads from the brick; everything
 else runs in one event loop.
 """
 

@@ -1,4 +1,4 @@
-"""The two ways of a proxy to pass commands on: everything at once, or what reads, a command of each client in turn."""
+"""How a proxy passes commands on: all of them at once, or only those that read, one of each client in turn."""
 
 from __future__ import annotations
 
@@ -196,7 +196,7 @@ def _dropped(part: OutOfStep, pending: bytes) -> str:
 
 
 class Guard:
-    """Passes on what reads, one command at a time, of each client in turn.
+    """Passes on commands that only read, one at a time, each client in turn.
 
     A brick continues the file that was opened last, whatever the handle. So before one client begins a transfer, the
     open one of another is read to its end, piece by piece between the commands of others, and kept for it.
@@ -266,7 +266,7 @@ class Guard:
             self._step(None)
 
     def _turn(self) -> Talk:
-        """Begins the next command, or reads on in the file that keeps the first one waiting that begins another."""
+        """Begins the next command, or reads more of the open file that blocks a client which begins another."""
         begins = [one for one in self._turns if step_of(one.waiting[0].message) == "begin"]
         opener = self._opener(begins)
         # The others keep their order until the first of them begins.
@@ -281,7 +281,7 @@ class Guard:
         return ready[0].policy.talk(self._sent.message)
 
     def _opener(self, begins: list[Client]) -> Client | None:
-        """Returns the client whose open file keeps the first of those waiting that begin another."""
+        """Returns the client whose open file blocks the first one that begins another."""
         opener = next((one for one in self._owner.clients if one.policy.has_open), None)
         return opener if begins and opener is not begins[0] else None
 

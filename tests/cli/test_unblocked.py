@@ -29,4 +29,4 @@ def test_output_that_is_not_read_is_dropped_and_counted(
         # As many as wait, and up to 64 KiB that the pipe holds, are kept until they are read, in whole lines.
         assert 600_000 <= dropped <= 700_000
         assert pipe.read(1_000_000 - dropped) == (b"x" * 999 + b"\n") * (1000 - dropped // 1000)
-    assert rest == "bytes of the output were dropped: they were not read, and 300,000 waited\n"
+    assert rest == "bytes of output were dropped: the reader was 300,000 bytes behind\n"

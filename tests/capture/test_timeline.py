@@ -599,7 +599,8 @@ def test_the_same_input_gives_the_same_bytes(form: Form) -> None:
 
 
 @pytest.mark.parametrize("form", list(Form))
-def test_counts_are_drawn_in_all_forms(form: Form) -> None:
+def test_counts_are_drawn_in_all_forms(form: Form, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ev3proto.capture.timeline.collecting.MOST_MARKS", 50)
     data = render(collected(list(polls(300))), form, "robot.pcapng")
     assert len(data) > 10_000
     if form is Form.SVG:

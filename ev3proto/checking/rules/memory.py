@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from itertools import groupby
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -15,7 +15,7 @@ from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY
 from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed, unread
 from ev3proto.semantics.judgement import judge
 from ev3proto.tables.declaration import Effect
-from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL, Encoding
+from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import MAX_FRAME
 
 _LARGEST = 4
@@ -30,19 +30,18 @@ def check_memory(
     context: CheckContext, command: DirectCommand, local: list[Use], shared: list[Use]
 ) -> Iterator[Finding]:
     """Checks all variables of a command, in local and in global memory."""
-    if local:
-        yield from _places(local, command.local_size)
-    if shared:
-        yield from _places(shared, command.global_size)
+    for used, asked, is_kept in (
+        (local, command.local_size, False),
+        (shared, command.global_size, command.wants_reply),
+    ):
+        if used:
+            yield from _places(used, asked)
+            if context.is_whole and not context.has_jumps:
+                # With jumps the order is unknown.
+                yield from _overlaps(used, is_kept=is_kept)
     if not context.is_whole:
         # The memory use of unreadable operations is unknown.
         return
-    if not context.has_jumps:
-        # With jumps the order is unknown.
-        if len(local) > 1 and _have_results_in_common(local):
-            yield from _overlaps(local, is_kept=False)
-        if len(shared) > 1 and _have_results_in_common(shared):
-            yield from _overlaps(shared, is_kept=command.wants_reply)
     if local:
         yield from _unwritten(local, command.local_size)
     yield from _asked_for(command, local, shared)
@@ -63,48 +62,21 @@ def _unwritten(used: list[Use], asked: int) -> Iterator[Finding]:
         yield operation.finding_of(codes.UNWRITTEN, place.argument, **parts)
 
 
-_Identity = tuple[str, int, Encoding, int, int, int | None]
-
-
-def _identity(use: Use) -> _Identity:
-    """Returns the key that variables with the same finding share."""
-    operation, place = use
-    return operation.name, place.number, place.argument.form, place.start, place.size, place.most
-
-
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
     """Yields findings about variables that are misaligned or beyond the requested memory."""
-    # The same mistake may occur a thousand times, so its finding is made once.
-    said: dict[_Identity, list[Finding]] = {}
-    for use in used:
-        _, place = use
-        start = place.start
-        if place.end > asked or start % place.facts.validator_alignment or start % place.facts.cpu_alignment:
-            key = _identity(use)
-            found = said.get(key)
-            if found is None:
-                found = said[key] = list(_wrongly_placed(use, asked))
-            for finding in found:
-                at = place.argument.offset
-                yield finding if finding.offset == at else replace(finding, offset=at)
+    for operation, place in used:
+        multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
+        if place.start % multiple:
+            code, step = codes.UNALIGNED, multiple
+            if place.start % place.facts.validator_alignment:
+                code, step = codes.MISALIGNED, place.facts.validator_alignment
+            yield operation.finding_of(code, place.argument, variable=place.variable, step=step, multiple=multiple)
+        if place.end > asked:
+            yield _beyond(operation, place, asked)
 
 
 def _furthest(place: Footprint) -> int:
     return MAX_FRAME if place.most is None else place.start + place.most
-
-
-def _wrongly_placed(use: Use, asked: int) -> Iterator[Finding]:
-    """Yields what is wrong with the place of a variable."""
-    operation, place = use
-    multiple = max(place.facts.validator_alignment, place.facts.cpu_alignment)
-    if place.start % multiple:
-        is_refused = place.start % place.facts.validator_alignment != 0
-        code, step = codes.UNALIGNED, multiple
-        if is_refused:
-            code, step = codes.MISALIGNED, place.facts.validator_alignment
-        yield operation.finding_of(code, place.argument, variable=place.variable, step=step, multiple=multiple)
-    if place.end > asked:
-        yield _beyond(operation, place, asked)
 
 
 def _beyond(operation: CheckedOperation, place: Footprint, asked: int) -> Finding:
@@ -126,11 +98,12 @@ def _beyond(operation: CheckedOperation, place: Footprint, asked: int) -> Findin
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     """Yields findings about results that overwrite each other; `is_kept`: a reply carries the final contents."""
     # The user of each byte, in slices: arrays may take a thousand bytes each.
-    results: list[tuple[_Identity, Use] | None] = [None] * MAX_FRAME
-    said: dict[tuple[_Identity, _Identity], Finding | None] = {}
-    for together in _by_operation(used):
+    size = min(max(place.end for _, place in used), MAX_FRAME)
+    results: list[Use | None] = [None] * size
+    for _, group in groupby(used, lambda use: use[0].start):
+        together = list(group)
         # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
-        open_from = MAX_FRAME
+        open_from = size
         for _, place in together:
             if not place.facts.is_read:
                 continue
@@ -138,46 +111,19 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
             if place.most is None:
                 open_from = min(open_from, start)
             else:
-                end = min(start + place.most, MAX_FRAME)
+                end = min(start + place.most, size)
                 results[start:end] = [None] * (end - start)
-        results[open_from:] = [None] * (MAX_FRAME - open_from)
+        results[open_from:] = [None] * (size - open_from)
         for use in together:
             _, place = use
             if not place.facts.is_written:
                 continue
-            start, end = place.start, min(place.end, MAX_FRAME)
-            key = _identity(use)
+            start, end = place.start, min(place.end, size)
             before = next(filter(None, results[start:end]), None)
-            if before is not None:
-                both = before[0], key
-                if both not in said:
-                    said[both] = _destroyed(before[1], use, is_kept)
-                finding = said[both]
-                if finding is not None:
-                    yield replace(finding, offset=place.argument.offset)
-            results[start:end] = [(key, use)] * (end - start)
-
-
-def _by_operation(used: list[Use]) -> Iterator[list[Use]]:
-    """Yields the variables of each operation."""
-    together: list[Use] = []
-    for use in used:
-        if together and together[0][0] is not use[0]:
-            yield together
-            together = []
-        together.append(use)
-    yield together
-
-
-def _have_results_in_common(used: list[Use]) -> bool:
-    """Returns whether any two results share a byte, which is rare."""
-    taken = sorted([(place.start, place.end) for _, place in used if place.facts.is_written])
-    last = 0
-    for start, end in taken:
-        if start < last:
-            return True
-        last = end
-    return False
+            finding = _destroyed(before, use, is_kept) if before is not None else None
+            if finding is not None:
+                yield finding
+            results[start:end] = [use] * (end - start)
 
 
 def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from operator import attrgetter
-
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, checked_operations
 from ev3proto.checking.report import Finding, Report, Severity
@@ -59,21 +57,14 @@ def check(
     return Report(frame, accepted, rejected_at, tuple(findings), dialect, carrier, alone)
 
 
-_OFFSET = attrgetter("offset")
-_ERROR, _WARNING, _HINT = Severity
+_WORST_FIRST = list(Severity)
 
 
 def _in_order(findings: list[Finding]) -> list[Finding]:
     """Returns the findings by offset and then severity, without hints about bytes that have an error."""
-    if len(set(map(_OFFSET, findings))) == len(findings):
-        return sorted(findings, key=_OFFSET)
-    errors = [finding for finding in findings if finding.severity is _ERROR]
-    warnings = [finding for finding in findings if finding.severity is _WARNING]
-    hints = [finding for finding in findings if finding.severity is _HINT]
-    if errors and hints:
-        wrong = {error.offset for error in errors}
-        hints = [hint for hint in hints if hint.offset not in wrong]
-    return sorted([*errors, *warnings, *hints], key=_OFFSET)
+    wrong = {finding.offset for finding in findings if finding.severity is Severity.ERROR}
+    kept = [one for one in findings if one.severity is not Severity.HINT or one.offset not in wrong]
+    return sorted(kept, key=lambda one: (one.offset, _WORST_FIRST.index(one.severity)))
 
 
 _NO_EFFECTS: frozenset[Effect] = frozenset()

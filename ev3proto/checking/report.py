@@ -45,19 +45,8 @@ class Finding:
 
     def as_dict(self) -> dict[str, Any]:
         """Returns it as a dictionary for other tools; keys that do not apply are absent."""
-        entry: dict[str, Any] = {
-            "severity": self.severity,
-            "code": self.code,
-            "offset": self.offset,
-            "length": self.length,
-            "message": self.message,
-            "help": self.help,
-        }
-        if self.operation is not None:
-            entry["operation"] = self.operation
-        if self.parameter is not None:
-            entry["parameter"] = self.parameter
-        return entry
+        entry = {name: getattr(self, name) for name in self.__slots__}
+        return {name: value for name, value in entry.items() if value is not None}
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator
+from itertools import groupby
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation, MotorAt
@@ -118,20 +119,14 @@ class _Way:
 
     def _unreached(self) -> Iterator[Finding]:
         """Yields one finding for each row of unreachable operations."""
-        number = 0
-        while number < len(self._operations):
-            if self._operations[number].start in self._reached:
-                number += 1
+        for is_reached, row in groupby(self._operations, lambda one: one.start in self._reached):
+            first, *others = row
+            if is_reached or first.facts.ends_code:
+                # The command ends at an OBJECT_END in any case.
                 continue
-            first = last = self._operations[number]
-            while number < len(self._operations) and self._operations[number].start not in self._reached:
-                last = self._operations[number]
-                number += 1
-            if first.facts.ends_code:
-                # The command ends here in any case.
-                continue
-            others = f", nor do the operations up to {last.name}" if last is not first else ""
-            yield codes.UNREACHABLE.at(first.start, last.end - first.start, owner=first.name, others=others)
+            last = others[-1] if others else first
+            said = f", nor do the operations up to {last.name}" if others else ""
+            yield codes.UNREACHABLE.at(first.start, last.end - first.start, owner=first.name, others=said)
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
@@ -155,23 +150,13 @@ def _targets(operation: CheckedOperation, jump: Argument, start: int, end: int) 
     }
 
 
-_LOOKED_AT = frozenset((Effect.STARTS_SOUND, Effect.SHOWS, Effect.STARTS_MOVE, Effect.DRAWS))
-
-
 def check_effects(context: CheckContext) -> Iterator[Finding]:
     """Checks operations that undo each other."""
-    operations = context.operations
-    present = context.effects
-    if present.isdisjoint(_LOOKED_AT):
-        return
-    if Effect.STARTS_SOUND in present:
-        yield from _sounds(operations)
-    if Effect.SHOWS in present:
-        yield from _pictures(operations)
-    if Effect.STARTS_MOVE in present:
-        yield from _moves(operations)
-    if Effect.DRAWS in present and context.is_whole:
-        yield from _not_shown(operations)
+    for effect, rule in _OF_EFFECTS.items():
+        if effect in context.effects:
+            yield from rule(context.operations)
+    if Effect.DRAWS in context.effects and context.is_whole:
+        yield from _not_shown(context.operations)
 
 
 def _waits(operation: CheckedOperation) -> bool:
@@ -237,6 +222,9 @@ def _moves(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
             moving.pop(port, None)
         if starts:
             moving.update(dict.fromkeys(ports, operation))
+
+
+_OF_EFFECTS = {Effect.STARTS_SOUND: _sounds, Effect.SHOWS: _pictures, Effect.STARTS_MOVE: _moves}
 
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:

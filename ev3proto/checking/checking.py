@@ -8,7 +8,7 @@ from ev3proto.checking.report import Finding, Report, Severity
 from ev3proto.checking.rules.alone import check_alone
 from ev3proto.checking.rules.arguments import check_arguments, check_lists
 from ev3proto.checking.rules.devices import check_devices
-from ev3proto.checking.rules.header import TYPE_OFFSET, check_command_header, check_daisy, check_envelope, check_system
+from ev3proto.checking.rules.header import check_command_header, check_daisy, check_envelope, check_system
 from ev3proto.checking.rules.memory import check_memory
 from ev3proto.checking.rules.operations import check_effects, check_flow, check_refusals
 from ev3proto.checking.rules.programs import check_programs
@@ -17,7 +17,7 @@ from ev3proto.checking.verdict import verdict
 from ev3proto.errors import as_bytes
 from ev3proto.messages import DaisyCommand, DirectCommand, Message, SystemCommand
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import HEADER_SIZE, frame_size, with_length
+from ev3proto.schema.header import HEADER_SIZE, TYPE_AT, frame_size, with_length
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME
@@ -122,5 +122,5 @@ def _answer(context: CheckContext, findings: list[Finding]) -> tuple[bool, int |
         return context.verdict.accepted, context.verdict.rejected_at
     first = next((finding.offset for finding in findings if finding.severity is Severity.ERROR), None)
     if first is None and (message.type is None or not message.type.is_command):
-        first = TYPE_OFFSET
+        first = TYPE_AT
     return first is None, first

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ev3proto.errors import counted
 from ev3proto.messages import Argument, Variable
 from ev3proto.schema.argument import LABEL_BYTE, encode_float, encode_integer, encode_string, encode_variable
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, TYPE_AT, frame_size, with_length
 from ev3proto.schema.instructions import FamilySchema, OperationSchema
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
@@ -26,7 +26,6 @@ from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, Me
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 from ev3proto.tables.validation import LABELS
 
-TYPE_AT = HEADER_SIZE - 1
 DIRECT, SYSTEM = (frozenset(map(int, TYPES_BY_KIND[f"{kind}-command"])) for kind in ("direct", "system"))
 _COMMANDS = {number: MESSAGE_TYPES[number] for number in sorted(DIRECT | SYSTEM)}
 _REPLY_BIT = MessageType.DIRECT_COMMAND_REPLY ^ MessageType.DIRECT_COMMAND_NO_REPLY
@@ -69,16 +68,6 @@ def spaced(data: bytes) -> str:
     return data.hex(" ").upper()
 
 
-def stated_size(frame: bytes) -> int:
-    """Returns the size of a frame by its length field."""
-    return int.from_bytes(frame[:LENGTH_FIELD], "little") + LENGTH_FIELD
-
-
-def sized(body: bytes) -> bytes:
-    """Returns a frame from the counter on with its length field, which holds as much as two bytes can."""
-    return min(len(body), 0xFFFF).to_bytes(LENGTH_FIELD, "little") + body
-
-
 def left_over(frame: bytes, at: int) -> Edit:
     """Returns the edit that drops the bytes from an offset on."""
     rest = frame[at:]
@@ -97,7 +86,7 @@ def header_edits(frame: bytes) -> Iterator[Edit]:
     size = len(frame)
     if frame[2] in _COMMANDS:
         length = size.to_bytes(LENGTH_FIELD, "little")
-        yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if stated_size(frame) == size else 0.0)
+        yield Edit("length-missing", 0, 0, length, (spaced(length),), 8.0 if frame_size(frame) == size else 0.0)
         yield Edit("counter-missing", 2, 2, bytes(2), guess=2)
     if frame[3] in _COMMANDS:
         yield Edit("header-short", 2, 3, frame[2:3] + b"\0", guess=2)
@@ -117,7 +106,7 @@ def _of_length(frame: bytes) -> Iterator[Edit]:
         yield Edit("header-long", TYPE_AT, 6, b"")
         if not any(frame[2:4]):
             yield Edit("header-long", 2, 4, b"", extra=-1.0)
-    if stated_size(frame[1:]) == size - 1:
+    if frame_size(frame[1:]) == size - 1:
         yield Edit("report-number", 0, 1, b"")
 
 
@@ -141,7 +130,7 @@ _ORDERS = (
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:
     """Yields the frames whose digits of hex are the decimal digits of these bytes."""
-    size, length = len(frame), sized(frame[LENGTH_FIELD:])[:LENGTH_FIELD]
+    size, length = len(frame), with_length(frame[LENGTH_FIELD:])[:LENGTH_FIELD]
     is_length = frame[0] in (length[0], _as_decimal(length[0])) and frame[1] == length[1]
     other = [byte for byte in frame[TYPE_AT:] if byte > _MOST_DECIMAL and f"{byte:02x}".isdigit()]
     for one, extra in _from_decimals(length + frame[LENGTH_FIELD:]) if is_length and not other else ():

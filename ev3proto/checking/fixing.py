@@ -5,16 +5,15 @@ from __future__ import annotations
 from ev3proto.checking.checking import check
 from ev3proto.checking.report import Change, Fix, Report, Suggestion, difference
 from ev3proto.checking.rules.arguments import longer_arguments, shortest
-from ev3proto.checking.rules.header import TYPE_OFFSET
 from ev3proto.errors import as_bytes, counted
 from ev3proto.messages import DirectCommand, Message
 from ev3proto.schema.frame import read_last
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, TYPE_AT, with_length
 from ev3proto.semantics.facts import operation_facts
 from ev3proto.tables.encoding import CONSTANT, JUMP
 from ev3proto.tables.frame import LENGTH_FIELD
 
-_PARTS = {HEADER_SIZE: "memory", TYPE_OFFSET: "type", LENGTH_FIELD: "counter", 0: "length field"}
+_PARTS = {HEADER_SIZE: "memory", TYPE_AT: "type", LENGTH_FIELD: "counter", 0: "length field"}
 """What is changed in a header, by its offset."""
 
 

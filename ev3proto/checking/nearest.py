@@ -18,14 +18,11 @@ from ev3proto.checking.dangers import acts_of, warning
 from ev3proto.checking.edits import (
     DIRECT,
     SYSTEM,
-    TYPE_AT,
     Edit,
     header_edits,
     left_over,
     operation_edits,
-    sized,
     spaced,
-    stated_size,
     system_edits,
 )
 from ev3proto.checking.habits import ELSEWHERE, habitual
@@ -39,7 +36,10 @@ from ev3proto.schema.header import (
     HEADER_SIZE,
     MEMORY_SIZE,
     MOST_IN_REPLY,
+    TYPE_AT,
+    frame_size,
     read_memory,
+    with_length,
     write_memory,
 )
 from ev3proto.semantics.footprint import NO_MEMORY, Memory, memory_of
@@ -127,7 +127,7 @@ def nearest(report: Report) -> tuple[Suggestion, ...]:
     if not _SHORTEST <= len(report.frame) <= _LONGEST or not report.findings:
         return ()
     if any(finding.code == "H101" for finding in report.findings):
-        frame = report.frame[: stated_size(report.frame)]  # without the padding of a USB report
+        frame = report.frame[: frame_size(report.frame)]  # without the padding of a USB report
         return check(frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone).nearest
     return tuple(_with_warning(report, one) for one in _meant(report))
 
@@ -166,7 +166,7 @@ class Suggestions:
 
     def of(self, report: Report) -> tuple[Suggestion, ...]:
         """Returns what was probably meant by a frame, whose counter does not matter."""
-        frame, end = report.frame, HEADER_SIZE - 1
+        frame, end = report.frame, TYPE_AT
         if not report.findings:
             return ()
         body = frame[:LENGTH_FIELD] + frame[end:]
@@ -322,21 +322,19 @@ class _Search:
         """Returns a frame after an edit, with a length that fits, and the cost of both."""
         new = frame[: edit.at] + edit.new + frame[edit.end :]
         price = SLIPS[edit.kind].cost + edit.extra
-        if edit.kind in ("length-missing", "report-number", "decimals") or (
-            edit.kind == "left-over" and stated_size(frame) == len(new)
-        ):
+        if edit.at < LENGTH_FIELD:
+            return with_length(new[LENGTH_FIELD:]), price
+        if edit.kind == "left-over" and frame_size(frame) == len(new):
             return new, price
-        if edit.kind == "length-half":
-            return sized(new[LENGTH_FIELD:]), price
         new, other = self._resized(frame, new)
         return new, price + other
 
     def _resized(self, frame: bytes, new: bytes) -> tuple[bytes, float]:
         """Returns what a frame became, with a length that fits, and what the given one speaks for or against it."""
-        stated = stated_size(frame)
+        stated = frame_size(frame)
         if stated == len(new) and stated != len(frame):
             return new, _COPIED
-        return sized(new[LENGTH_FIELD:]), 0.0 if stated == len(frame) else _OTHER_LENGTH
+        return with_length(new[LENGTH_FIELD:]), 0.0 if stated == len(frame) else _OTHER_LENGTH
 
     def _read(self, frame: bytes) -> float:
         """Returns the cost of a frame's code."""
@@ -344,10 +342,10 @@ class _Search:
         return self._code_costs(frame)[1] if is_code else 0.0
 
     def _with_other_length(self, frame: bytes) -> Iterator[_Candidate]:
-        stated, size = stated_size(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
+        stated, size = frame_size(frame) - LENGTH_FIELD, len(frame) - LENGTH_FIELD
         if stated == size:
             return
-        new = sized(frame[LENGTH_FIELD:])
+        new = with_length(frame[LENGTH_FIELD:])
         kind = "length"
         if stated == size + LENGTH_FIELD:
             kind = "length-self"
@@ -380,8 +378,8 @@ class _Search:
 
     def _with_other_memory(self, frame: bytes) -> Iterator[_Candidate]:
         """Yields the frame with the memory that its operations use, and with a reply if they have results."""
-        base = _OTHER_LENGTH if stated_size(frame) != len(frame) else 0.0
-        whole = sized(frame[LENGTH_FIELD:])
+        base = _OTHER_LENGTH if frame_size(frame) != len(frame) else 0.0
+        whole = with_length(frame[LENGTH_FIELD:])
         new = _with_memory(whole, self._dialect)
         *sizes, is_exact = _needed_memory(whole, self._dialect) or NO_MEMORY
         asked = read_memory(frame)

@@ -32,7 +32,7 @@ from typing import NamedTuple
 from ev3proto.errors import DecodeError
 from ev3proto.messages import Argument
 from ev3proto.schema.argument import INTEGER_FORMS, Form, Reader, read_arguments
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size, read_memory
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, TYPE_AT, frame_size, read_memory
 from ev3proto.schema.instructions import CMD
 from ev3proto.semantics.facts import Requirement, requirement
 from ev3proto.tables import operations, with_effect
@@ -248,8 +248,8 @@ def verdict(frame: bytes, dialect: str = "official") -> Verdict:
         ValueError: The dialect is unknown.
     """
     size = len(frame)
-    if size < HEADER_SIZE or frame[HEADER_SIZE - 1] not in _DIRECT:
-        return Verdict(False, min(size, HEADER_SIZE - 1), Reason.NO_COMMAND, min(size, HEADER_SIZE - 1))
+    if size < HEADER_SIZE or frame[TYPE_AT] not in _DIRECT:
+        return Verdict(False, min(size, TYPE_AT), Reason.NO_COMMAND, min(size, TYPE_AT))
     stated = frame_size(frame)
     if stated > MAX_FRAME:
         return Verdict(False, 0, Reason.TOO_LONG, 0)

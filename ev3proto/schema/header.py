@@ -32,6 +32,7 @@ _length = struct.Struct("<H")
 
 HEADER_SIZE = _header.size
 MEMORY_SIZE = _memory.size
+TYPE_AT = HEADER_SIZE - 1
 COMMAND_HEADER_SIZE = HEADER_SIZE + MEMORY_SIZE
 """Offset of the first operation of a direct command."""
 

@@ -21,6 +21,7 @@ from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
     HEADER_SIZE,
     MEMORY_SIZE,
+    TYPE_AT,
     build_frame,
     frame_end,
     frame_size,
@@ -46,7 +47,6 @@ LOOKS = 7
 MOST_MISSING = 8
 """Maximum ratio of the bytes that the length field says to those that are there."""
 
-_TYPE_AT = HEADER_SIZE - 1
 _LEAST_OPERATIONS, _ASCII = 3, 0x7F
 _NEARLY, _MOST_OF_REPLY, _LEAST_PROSE, _LEAST_TELEGRAM = 2, 2, 4, 5
 _DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
@@ -150,7 +150,7 @@ def is_prose(data: bytes) -> bool:
 
 def without_length(data: bytes) -> bytes | None:
     """Returns the bytes as a message that lost its length field; None where they are too few or too many."""
-    if not is_frame_size(len(data) + LENGTH_FIELD) or data[_TYPE_AT - LENGTH_FIELD] not in MESSAGE_TYPES:
+    if not is_frame_size(len(data) + LENGTH_FIELD) or data[TYPE_AT - LENGTH_FIELD] not in MESSAGE_TYPES:
         return None
     return with_length(data)
 
@@ -223,7 +223,7 @@ def _wrong_header(given: _Given) -> Identity | None:
     data, reader, whole = given.data, given.reader, given.is_whole
     if len(data) < LOOKS:
         return None
-    says, kind = frame_size(data), data[_TYPE_AT]
+    says, kind = frame_size(data), data[TYPE_AT]
     if kind not in MESSAGE_TYPES:
         is_meant = says == len(data) and (whole or any(is_sure(one, reader) for one in _retyped(data)))
         return Identity(Kind.SLIP, "type") if is_meant else None
@@ -329,7 +329,7 @@ def _nxt(data: bytes) -> str | None:
 
 def _retyped(data: bytes) -> list[bytes]:
     kinds = (*_DIRECT, MessageType.SYSTEM_COMMAND_REPLY)
-    return [data[:_TYPE_AT] + bytes((kind,)) + data[HEADER_SIZE:] for kind in kinds]
+    return [data[:TYPE_AT] + bytes((kind,)) + data[HEADER_SIZE:] for kind in kinds]
 
 
 def _is_truncated(frame: bytes, reader: FrameReader) -> bool:
@@ -347,7 +347,7 @@ def _speaks_for_ev3(data: bytes, reader: FrameReader) -> bool:
     if len(data) < LOOKS:
         return False
     is_nearly = abs(frame_size(data) - len(data)) <= LENGTH_FIELD
-    code, contents = data[_TYPE_AT], data[HEADER_SIZE:]
+    code, contents = data[TYPE_AT], data[HEADER_SIZE:]
     if code in COMMAND_TYPES:
         meant = with_length(data[LENGTH_FIELD:])
         is_possible = is_sure(meant, reader) or _is_truncated(meant, reader)

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ev3proto.schema.frame import FrameReader, is_flawless
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_size
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, TYPE_AT, frame_size
 from ev3proto.tables.frame import COMMAND_TYPES, MESSAGE_TYPES
 
-_TYPE_AT = HEADER_SIZE - 1
 _REPLACED = b"\xef\xbf\xbd"
 _QUESTION = b"?"
 _ASCII = 0x80
@@ -44,7 +43,7 @@ def _found(data: bytes, reader: FrameReader | None) -> Iterator[Mangled]:
             yield Mangled(kind, original)
     if _REPLACED in data and _may_be(data.replace(_REPLACED, _QUESTION)):
         yield _lost("replaced", data, _REPLACED)
-    if _may_be(data) and (data[_TYPE_AT] != _QUESTION[0] or data.count(_QUESTION) > 1):
+    if _may_be(data) and (data[TYPE_AT] != _QUESTION[0] or data.count(_QUESTION) > 1):
         yield _lost("ascii", data, _QUESTION)
 
 
@@ -68,7 +67,7 @@ def _without_utf8(data: bytes) -> bytes:
 
 def _is_flawless(frame: bytes, reader: FrameReader | None) -> bool:
     """Returns whether bytes are a frame that a brick can read, or a reply of the right length."""
-    if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[_TYPE_AT] not in MESSAGE_TYPES:
+    if len(frame) <= HEADER_SIZE or frame_size(frame) != len(frame) or frame[TYPE_AT] not in MESSAGE_TYPES:
         return False
     return is_flawless(frame, reader)
 
@@ -78,4 +77,4 @@ def _may_be(frame: bytes) -> bool:
     if len(frame) <= COMMAND_HEADER_SIZE or frame_size(frame) != len(frame) or max(frame) >= _ASCII:
         return False
     at = COMMAND_HEADER_SIZE
-    return frame[_TYPE_AT] == _QUESTION[0] or (frame[_TYPE_AT] in COMMAND_TYPES and frame[at] == _QUESTION[0])
+    return frame[TYPE_AT] == _QUESTION[0] or (frame[TYPE_AT] in COMMAND_TYPES and frame[at] == _QUESTION[0])

@@ -11,7 +11,15 @@ from ev3proto.checking.verdict import Reason
 from ev3proto.errors import counted
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import frame_reader
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY, frame_size, may_be_long
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    MEMORY_SIZE,
+    MOST_IN_REPLY,
+    TYPE_AT,
+    frame_size,
+    may_be_long,
+)
 from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.advice import advice
 from ev3proto.semantics.identify import NOTHING, foreign
@@ -20,7 +28,6 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES
 from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 
-TYPE_OFFSET = HEADER_SIZE - 1
 """Offset of the message type."""
 
 
@@ -38,9 +45,9 @@ def check_envelope(context: CheckContext) -> Iterator[Finding]:
         return
     yield from _length(frame, size, context)
     if context.message.type is None:
-        yield codes.UNKNOWN_TYPE.at(TYPE_OFFSET, 1, type=frame[TYPE_OFFSET])
+        yield codes.UNKNOWN_TYPE.at(TYPE_AT, 1, type=frame[TYPE_AT])
     elif not context.message.type.is_command:
-        yield codes.NO_COMMAND.at(TYPE_OFFSET, 1, type=context.message.type.name)
+        yield codes.NO_COMMAND.at(TYPE_AT, 1, type=context.message.type.name)
 
 
 def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]:
@@ -123,10 +130,10 @@ def _runs(numbers: list[int]) -> Iterator[str]:
 
 def _answer(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Finding]:
     if command.wants_reply and not entry.answered:
-        yield codes.NEVER_ANSWERED.at(TYPE_OFFSET, 1, owner=entry.name)
+        yield codes.NEVER_ANSWERED.at(TYPE_AT, 1, owner=entry.name)
     elif not command.wants_reply and _is_question(entry):
         content = "the handle for the next commands" if entry.transfer == _OPENED else "the requested contents"
-        yield codes.ANSWER_NEEDED.at(TYPE_OFFSET, 1, owner=entry.name, content=content)
+        yield codes.ANSWER_NEEDED.at(TYPE_AT, 1, owner=entry.name, content=content)
 
 
 def _is_question(entry: SystemDeclaration) -> bool:

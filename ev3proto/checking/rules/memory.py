@@ -8,10 +8,9 @@ from itertools import groupby
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
-from ev3proto.checking.rules.header import TYPE_OFFSET
 from ev3proto.errors import counted
 from ev3proto.messages import DirectCommand, Variable
-from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY
+from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE, MOST_IN_REPLY, TYPE_AT
 from ev3proto.semantics.footprint import MEMORY_LIMITS, Footprint, Taken, needed, unread
 from ev3proto.semantics.judgement import judge
 from ev3proto.tables.declaration import Effect
@@ -162,7 +161,7 @@ def _asked_for(command: DirectCommand, local: list[Use], shared: list[Use]) -> I
     lost = next(unread([place for _, place in shared]), None)
     if lost is not None:
         parts = {"storing": lost.operation.full_name, "result": lost.argument.name, "variable": lost.variable}
-        yield codes.NO_REPLY.at(TYPE_OFFSET, 1, **parts)
+        yield codes.NO_REPLY.at(TYPE_AT, 1, **parts)
     elif command.global_size and not shared:
         yield codes.UNWANTED_GLOBALS.at(HEADER_SIZE, MEMORY_SIZE, asked=counted(command.global_size, "byte"))
 

@@ -42,6 +42,7 @@ _SHORT = 32  # numbers and indexes below this one are one byte
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32)
 ENDS = b"\r\n\0"
 """Bytes that often follow a frame."""
+_PRINTED = bytes(range(0x20, 0x7F))
 _COMMON = b"\0."  # bytes that are often twice in a row
 
 
@@ -143,18 +144,24 @@ def _of_decimals(frame: bytes) -> Iterator[Edit]:
 def _from_decimals(frame: bytes) -> Iterator[tuple[bytes, float]]:
     """Yields frames with the bytes that the digits are in hex, and their cost: those with a letter may have stayed."""
     words, texts = _matched(_WORD, frame), _matched(_TEXT, frame)
-    places = [at for at in range(LENGTH_FIELD, len(frame)) if frame[at] <= _MOST_DECIMAL and at not in words]
-    meant = {at: int(str(frame[at]), 16) for at in places}
-    new = bytearray(frame)
-    for at, byte in meant.items():
-        if f"{frame[at]:02x}".isdigit() or (at in texts and chr(byte).islower()):
-            new[at] = byte
-    either = [at for at in places if at >= TYPE_AT and at not in texts and new[at] != meant[at]][:_MOST_OPEN]
-    for choice in product(*[(new[at], meant[at]) for at in either]):
-        one = bytearray(new)
-        for at, byte in zip(either, choice, strict=True):
-            one[at] = byte
-        yield bytes(one), 0.4 * sum(one[at] != new[at] for at in either)
+    options = [
+        (byte,) if at < LENGTH_FIELD or at in words else _in_hex(byte, at in texts, is_open=at >= TYPE_AT)
+        for at, byte in enumerate(frame)
+    ]
+    for at in [at for at, one in enumerate(options) if len(one) > 1][_MOST_OPEN:]:
+        options[at] = options[at][:1]
+    for choice in product(*options):
+        yield bytes(choice), 0.4 * sum(byte != one[0] for byte, one in zip(choice, options, strict=True))
+
+
+def _in_hex(byte: int, is_text: bool, *, is_open: bool) -> tuple[int, ...]:
+    """Returns what a byte was before its digits of hex were taken for decimals: another one, or maybe the same."""
+    if byte > _MOST_DECIMAL:
+        return (byte,)
+    meant = int(str(byte), 16)
+    if f"{byte:02x}".isdigit() or (is_text and chr(meant).islower()):
+        return (meant,)
+    return (byte, meant) if is_open and not is_text else (byte,)
 
 
 def _matched(kind: re.Pattern[bytes], frame: bytes) -> set[int]:
@@ -307,13 +314,11 @@ def _text(place: Place) -> Iterator[Edit]:
     if not place.known.is_text or place.known.parameter.direction is not Direction.IN:
         return
     if data[at] in (_OLD_LCS, _LCS):
-        stop = at + 1
-        while stop < len(data) and 0x20 <= data[stop] < 0x7F:
-            stop += 1
+        stop = len(data) - len(data[at + 1 :].lstrip(_PRINTED))
         for end in {stop, stop + 1, stop - 1, stop - place.following}:
             if at < end <= len(data):
                 yield Edit("no-zero", end, end, b"\0", place.names, 0.0 if end == stop else 0.5)
-    elif 0x20 <= data[at] < 0x7F:
+    elif data[at] in _PRINTED:
         yield Edit("no-84", at, at, bytes((_LCS,)), place.names)
     if data[at] and data.find(0, at + 1) == at + 1 + data[at]:
         yield Edit("length-84", at, at + 1, bytes((_LCS,)), place.names)
@@ -321,22 +326,28 @@ def _text(place: Place) -> Iterator[Edit]:
 
 def _floats(place: Place) -> Iterator[Edit]:
     """Yields the edits of a float that is not written as the brick reads it."""
-    argument, at, data = place.argument, place.at, place.code.data
+    at, data = place.at, place.code.data
     if place.known.parameter.type is not Type.DATAF or place.known.parameter.is_output:
         return
-    first, after = data[at], data[at + 1 : at + 5]
-    found = [("raw", 4, _float(data[at : at + 4]))]
-    if first in _WIDTHS:
-        found.append(("swapped" if first == _LC4 else "width", 5, _float(after[::-1] if first == _LC4 else after)))
+    for kind, size, number in _float_readings(place):
+        new = encode_float(number) if 0.01 <= abs(number) < 1_000_000 else b""
+        if new and new != data[at : at + size] and at + size <= len(data):
+            words = (f"{data[at]:02X}", f"{_LC4:02X}", _WORDS[4]) if kind == "width" else (f"{number:g}", spaced(new))
+            yield Edit(kind, at, at + size, new, (*place.names, *words))
+
+
+def _float_readings(place: Place) -> Iterator[tuple[str, int, float]]:
+    """Yields floats that may be meant by the bytes at a place: kind, number of bytes, number."""
+    argument, at, data = place.argument, place.at, place.code.data
+    after = data[at + 1 : at + 5]
+    yield "raw", 4, _float(data[at : at + 4])
+    if data[at] == _LC4:
+        yield "swapped", 5, _float(after[::-1])
+    elif data[at] in _WIDTHS:
+        yield "width", 5, _float(after)
     if argument is not None and argument.kind == CONSTANT:
         whole = int.from_bytes(after, "little", signed=True) if isinstance(argument.value, float) else argument.value
-        found.append(("float", place.end - at, float(whole)))
-    for kind, size, number in found:
-        if 0.01 <= abs(number) < 1_000_000 and at + size <= len(data):
-            new = encode_float(number)
-            if new != data[at : at + size]:
-                words = (f"{first:02X}", f"{_LC4:02X}", _WORDS[4]) if kind == "width" else (f"{number:g}", spaced(new))
-                yield Edit(kind, at, at + size, new, (*place.names, *words))
+        yield "float", place.end - at, float(whole)
 
 
 def _float(data: bytes) -> float:
@@ -368,11 +379,11 @@ def _result(place: Place) -> Iterator[Edit]:
     if first == _LC1 and at + 1 < len(code.data) and _LV0 <= code.data[at + 1] < _GV0 + _SHORT:
         yield Edit("variable-81", at, at + 1, b"", (*place.names, spaced(code.data[at + 1 : at + 2])))
     if first < _SHORT:
-        for scope, base, fits in ((GLOBAL, _GV0, wants_reply), (LOCAL, _LV0, code.memory.locals > 0)):
+        for scope, base, fits, extra in ((GLOBAL, _GV0, wants_reply, 0.0), (LOCAL, _LV0, code.memory.locals > 0, 0.5)):
             if fits:
                 new = bytes((base + first,))
                 words = (*place.names, Variable(scope, first), spaced(new))
-                yield Edit("variable", at, at + 1, new, words, 0.5 if scope == LOCAL else 0.0)
+                yield Edit("variable", at, at + 1, new, words, extra)
 
 
 def _lost(place: Place) -> Iterator[Edit]:
@@ -444,28 +455,31 @@ def _cut(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator
 
 def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> Iterator[Edit]:
     """Yields the edit that adds variables for results, where memory is requested and nothing is stored in it."""
-    room, read = code.memory.globals, reading.arguments
+    room = code.memory.globals
     if not room or any(one.kind == GLOBAL for _, other in code.first for one in other.arguments):
         return
-    inputs, wanted, count = _results(facts, reading, room)
-    behind = read[inputs] if len(read) > inputs else None
-    if not wanted or len(read) < inputs or (behind is not None and behind.is_variable):
+    at, wanted, count = _results(facts, reading, room)
+    if not wanted:
         return
     variables, end = _places(wanted)
-    new, at = count + variables, behind.offset if behind is not None else reading.end
+    new = count + variables
     is_exact = end == room or (wanted[-1].is_array and end <= room)
+    extra, guess = (0.0, 0) if is_exact else (1.0, len(new))
     names = ", ".join(dict.fromkeys(known.parameter.name for known in wanted))
     words = (names, facts.name, "is" if len(wanted) == 1 else "are", spaced(new))
-    yield Edit("no-results", at, at, new, words, 0.0 if is_exact else 1.0, 0 if is_exact else len(new))
+    yield Edit("no-results", at, at, new, words, extra, guess)
 
 
 def _results(facts: OperationFacts, reading: Reading, room: int) -> tuple[int, list[ParameterFacts], bytes]:
-    """Returns the number of arguments before the results, the results, and their number if it is missing."""
+    """Returns where results are missing, which, and their number if it is missing, too."""
     tail = reading.schema.tail if reading.schema is not None else None
     if tail is not None:
-        return len(reading.arguments), *_list_of_results(facts, reading, tail, room)
+        return reading.end, *_list_of_results(facts, reading, tail, room)
     wanted = [known for known in facts.parameters if known.parameter.is_output]
-    return len(facts.parameters) - len(wanted), wanted, b""
+    inputs, read = len(facts.parameters) - len(wanted), reading.arguments
+    if len(read) <= inputs:
+        return reading.end, wanted if len(read) == inputs else [], b""
+    return read[inputs].offset, [] if read[inputs].is_variable else wanted, b""
 
 
 def _places(wanted: list[ParameterFacts]) -> tuple[bytes, int]:

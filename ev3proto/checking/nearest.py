@@ -252,19 +252,24 @@ class _Search:
         return check(frame, dialect=self._dialect, carrier=self._report.carrier, alone=self._report.alone)
 
     def _judged(self, candidate: _Candidate) -> _Judged:
-        report = self._check(candidate.frame)
-        if report.errors and {finding.code for finding in report.errors} <= _BEYOND:
-            is_moved = candidate.edits[0].kind == "scope"  # from local memory, which is not needed then
-            fitted = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
-            if fitted != candidate.frame:
-                price = candidate.price + (_WITH_MEMORY if is_moved else SLIPS["memory-size"].cost)
-                candidate, report = candidate._replace(frame=fitted, price=price), self._check(fitted)
+        candidate, report = self._fitted(candidate, self._check(candidate.frame))
         rarity, doubt = self._costs(candidate.frame, report)
         acts = acts_of(candidate.frame, self._dialect) - self._acts
         doubt += candidate.price + sum({one: one.cost for one, _ in acts}.values())
         is_right = not report.errors and (report.accepted or (_is_reply(candidate.frame) and _is_reply(self._frame)))
         is_worse = self._report.accepted and not all(one.is_told for one, _ in acts)
         return _Judged(rarity + doubt, doubt, candidate, is_right and not is_worse)
+
+    def _fitted(self, candidate: _Candidate, report: Report) -> tuple[_Candidate, Report]:
+        """Returns a candidate and its report; it requests more memory if only that is wrong with it."""
+        if not report.errors or not {finding.code for finding in report.errors} <= _BEYOND:
+            return candidate, report
+        is_moved = candidate.edits[0].kind == "scope"  # from local memory, which is not needed then
+        frame = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
+        if frame == candidate.frame:
+            return candidate, report
+        price = candidate.price + (_WITH_MEMORY if is_moved else SLIPS["memory-size"].cost)
+        return candidate._replace(frame=frame, price=price), self._check(frame)
 
     def _best(self, frame: bytes) -> list[_Judged]:
         """Returns the best candidates one edit away, as `check` judges them."""

@@ -63,9 +63,10 @@ def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]
     chosen: dict[MotorAt, CheckedOperation] = {}
     running: dict[MotorAt, CheckedOperation] = {}
     for operation, ports in operations:
-        idle = [port for port in ports or () if port not in running]
+        known = ports or ()
+        idle = [port for port in known if port not in running]
         if operation.name in _DRIVES:
-            others = [running[port] for port in ports or () if port in running]
+            others = [running[port] for port in known if port in running]
             other = next((one for one in others if one.name != operation.name), None)
             if other is not None:
                 parts = {"other": other.name, "at": other.start, "opcode": codes.opcode(other.name)}

@@ -19,9 +19,6 @@ from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import UNRELEASED, Effect, Role
 from ev3proto.tables.encoding import CONSTANT, CONSTANT_RANGES, ENCODINGS, JUMP
 
-_OF_PROGRAMS = frozenset((Effect.OF_PROGRAMS,))
-_ENDS = frozenset((Effect.ENDS,))
-
 _OWN_OBJECT = 1
 """The number of a direct command's only object."""
 
@@ -31,11 +28,10 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
     operations = context.operations
     if operations and operations[-1].facts.ends_code:
         yield _object_end(operations[-1], context.end)
-    if not context.effects.isdisjoint(_OF_PROGRAMS):
-        for operation in operations:
-            if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
-                yield from _of_programs(operation)
-    if not context.has_jumps and context.effects.isdisjoint(_ENDS):
+    for operation in operations:
+        if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
+            yield from _of_programs(operation)
+    if not context.has_jumps and Effect.ENDS not in context.effects:
         return
     way = _Way(context)
     yield from way.wrong_jumps()
@@ -229,8 +225,7 @@ _OF_EFFECTS = {Effect.STARTS_SOUND: _sounds, Effect.SHOWS: _pictures, Effect.STA
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:
     """Yields findings about what stops the parser or validator."""
-    if not context.effects.isdisjoint(_NEVER_RUNS):
-        yield from _never_run(context)
+    yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
     fault = context.fault
@@ -241,9 +236,6 @@ def check_refusals(context: CheckContext) -> Iterator[Finding]:
     # A frame that ends early, or has a wrong length, is reported elsewhere.
     if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
         yield _fault(context, fault)
-
-
-_NEVER_RUNS = frozenset((Effect.NEVER_RUNS,))
 
 
 def _never_run(context: CheckContext) -> Iterator[Finding]:

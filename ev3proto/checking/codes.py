@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from string import Formatter
 from types import MappingProxyType
 from typing import NamedTuple
@@ -46,7 +46,6 @@ class FindingCode(NamedTuple):
     """One code."""
 
     code: str  # `E301`: E for errors, W for warnings, H for hints
-    severity: Severity  # how bad it is
     title: str  # a few words that name it
     explanation: str  # what happens on the brick, why, and what to do; paragraphs, separated by empty lines
     example: bytes  # a frame that raises it
@@ -54,6 +53,11 @@ class FindingCode(NamedTuple):
     carrier: str | None = None  # the carrier that both need, None if it does not matter
     alone: bool = False  # whether it is only for a frame that is not among others
     words: _Texts = _NO_WORDS  # its words, by what is wrong with a value or by a name; "" is the name of the usual ones
+
+    @property
+    def severity(self) -> Severity:
+        """How bad it is."""
+        return _SEVERITIES[self.code[0]]
 
     def finding(
         self,
@@ -92,7 +96,8 @@ CODES: dict[str, FindingCode] = {}
 _SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
 
 
-def _code(
+def registered(
+    known: dict[str, FindingCode],
     code: str,
     title: str,
     explanation: str,
@@ -102,12 +107,14 @@ def _code(
     alone: bool = False,
     words: Words | _Texts = _NO_WORDS,
 ) -> FindingCode:
-    severity = _SEVERITIES[code[0]]
+    """Returns a code, which is added to those known; the parameters are the fields of `FindingCode`."""
     texts: _Texts = {"": words} if isinstance(words, Words) else words
-    entry = CODES[code] = FindingCode(
-        code, severity, title, explanation.strip(), example, counterexample, carrier, alone, texts
+    return known.setdefault(
+        code, FindingCode(code, title, explanation.strip(), example, counterexample, carrier, alone, texts)
     )
-    return entry
+
+
+_code = partial(registered, CODES)
 
 
 def _frame(text: str) -> bytes:
@@ -307,10 +314,7 @@ UNKNOWN_OPCODE = _code(
     _sized("2A:00|80|00:00|A6:00:01:00"),
     _sized("2A:00|80|00:00|A6:00:01"),
     words={
-        NEVER_RUNS: Words(
-            "{byte} is {owner}, which the firmware never runs",
-            _USE_AN_OPCODE,
-        ),
+        NEVER_RUNS: Words("{byte} is {owner}, which the firmware never runs", _USE_AN_OPCODE),
         "": Words("unknown opcode {byte} for the {dialect} firmware", _USE_AN_OPCODE),
         "dialect": Words(
             "{byte} is {known} in the dialects {others}, but not an opcode of {dialect} firmware", _USE_AN_OPCODE
@@ -365,9 +369,8 @@ FIRST_OUT_OF_RANGE = _code(
     _sized("2A:00|80|00:00|A6:00:01"),
     words={
         Wrong.REFUSED: Words(
-            "{name} is {value}, but the brick accepts only {accepted} in a first parameter",
-            "use {legal}",
-        ),
+            "{name} is {value}, but the brick accepts only {accepted} in a first parameter", "use {legal}"
+        )
     },
 )
 MISALIGNED = _code(
@@ -395,7 +398,7 @@ BAD_LABEL = _code(
         Wrong.LABEL_NUMBER: Words(
             f"{{name}} is {{value}}, but labels are 0 to {LABELS - 1}",
             f"use 1 to {LABELS - 1}; jumps cannot name label 0",
-        ),
+        )
     },
 )
 SPINS = _code(
@@ -516,10 +519,7 @@ TRUNCATED = _code(
     _sized("2A:00|80|00:00|A3:00:82:2C:01:01"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
     words={
-        Wrong.TRUNCATED: Words(
-            "{name} is {value}, which the brick truncates to {read}: it is {type}",
-            "use {legal}",
-        ),
+        Wrong.TRUNCATED: Words("{name} is {value}, which the brick truncates to {read}: it is {type}", "use {legal}")
     },
 )
 CONSTANT_OUTPUT = _code(
@@ -533,9 +533,8 @@ CONSTANT_OUTPUT = _code(
     VOLTAGE,
     words={
         Wrong.WRITTEN: Words(
-            "{name} is a constant, but the brick writes to it",
-            "use a variable{large}: global for the reply, or local",
-        ),
+            "{name} is a constant, but the brick writes to it", "use a variable{large}: global for the reply, or local"
+        )
     },
 )
 NUMBER_FOR_TEXT = _code(
@@ -551,7 +550,7 @@ NUMBER_FOR_TEXT = _code(
         Wrong.NUMBER: Words(
             "{name} is the number {value}, but the brick reads a text",
             "use a text as LCS, or a variable that holds one",
-        ),
+        )
     },
 )
 TEXT_FOR_NUMBER = _code(
@@ -563,12 +562,7 @@ TEXT_FOR_NUMBER = _code(
     """,
     _sized("2A:00|80|00:00|A3:00:84:31:00:01"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
-    words={
-        Wrong.TEXT: Words(
-            "{name} is a text, but the brick reads a {kind}",
-            "use a number",
-        ),
-    },
+    words={Wrong.TEXT: Words("{name} is a text, but the brick reads a {kind}", "use a number")},
 )
 INTEGER_FOR_FLOAT = _code(
     "E305",
@@ -583,7 +577,7 @@ INTEGER_FOR_FLOAT = _code(
         Wrong.WHOLE: Words(
             "{name} is the whole number {value}, but the brick reads its bits as a float",
             "write a float as LC4 with the four bytes of an IEEE single",
-        ),
+        )
     },
 )
 LABEL_FOR_NUMBER = _code(
@@ -602,7 +596,7 @@ LABEL_FOR_NUMBER = _code(
         Wrong.LABEL: Words(
             "{byte} is LAB1, a label: the brick puts the place of label {value} here, not a number",
             "write a number as a constant; labels are for jumps",
-        ),
+        )
     },
 )
 NEGATIVE = _code(
@@ -619,7 +613,7 @@ NEGATIVE = _code(
         Wrong.NEGATIVE: Words(
             "{name} is {value}, which the brick reads as {read}: it is {type}",
             "write {read} if these bits are meant, otherwise a number that fits",
-        ),
+        )
     },
 )
 NOT_A_NUMBER = _code(
@@ -647,13 +641,9 @@ OUT_OF_RANGE = _code(
     _sized("2A:00|80|00:00|94:01:01:82:C8:00:82:E8:03"),
     TONE,
     words={
-        Wrong.OUTSIDE: Words(
-            "{name} is {value}{outside}{aside}",
-            "use {legal}",
-        ),
+        Wrong.OUTSIDE: Words("{name} is {value}{outside}{aside}", "use {legal}"),
         Wrong.MASK: Words(
-            "{name} is {value}, the bit mask of {ports}, but it takes the number of one port",
-            "use {letters}",
+            "{name} is {value}, the bit mask of {ports}, but it takes the number of one port", "use {letters}"
         ),
     },
 )
@@ -666,12 +656,7 @@ NO_MEMBER = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:1F"),
     _sized("2A:00|80|00:00|82:1B:01"),
-    words={
-        Wrong.NO_MEMBER: Words(
-            "{name} is {value}{outside}{aside}",
-            "use {legal}",
-        ),
-    },
+    words={Wrong.NO_MEMBER: Words("{name} is {value}{outside}{aside}", "use {legal}")},
 )
 NUMBER_AS_LABEL = _code(
     "W305",
@@ -689,7 +674,7 @@ NUMBER_AS_LABEL = _code(
             f"{{byte}} is LAB1, a label, but labels are 1 to {LABELS - 1}: the brick takes this one as the number"
             " {read}",
             "write a number as a constant; labels are for jumps",
-        ),
+        )
     },
 )
 
@@ -877,12 +862,7 @@ NAME_TOO_LONG = _code(
     """,
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 120 + "00"),
     _sized("2A:00|80|00:00|94:02:01:84:" + "61:" * 119 + "00"),
-    words={
-        Wrong.LONG: Words(
-            "{name} has {characters}; the firmware accepts at most {most}",
-            "shorten it by {over}",
-        ),
-    },
+    words={Wrong.LONG: Words("{name} has {characters}; the firmware accepts at most {most}", "shorten it by {over}")},
 )
 NO_HANDLE = _code(
     "W502",
@@ -974,10 +954,7 @@ NO_SUCH_LABEL = _code(
     """,
     _sized("2A:00|80|01:00|41:60:A0:01:01"),
     _sized("2A:00|80|01:00|41:60:A0:01:01:0D:01"),
-    words=Words(
-        "{name} names label {value}, which no LABEL sets",
-        "put LABEL {value} at the target of the jump",
-    ),
+    words=Words("{name} names label {value}, which no LABEL sets", "put LABEL {value} at the target of the jump"),
 )
 UNREACHABLE = _code(
     "W601",
@@ -1012,10 +989,7 @@ FOREIGN_OBJECT = _code(
     """,
     _sized("2A:00|80|00:00|05:02"),
     _sized("2A:00|80|00:00|04:01"),
-    words=Words(
-        "{owner} acts on objects of a compiled program, but a direct command has only itself",
-        "omit it",
-    ),
+    words=Words("{owner} acts on objects of a compiled program, but a direct command has only itself", "omit it"),
 )
 JUMP_UNKNOWN = _code(
     "W604",
@@ -1361,8 +1335,7 @@ UNKNOWN_DAISY = _code(
     _frame("06:00|2A:00|0A|42:00:01"),
     _frame("06:00|2A:00|0A|A2:00:01"),
     words=Words(
-        "{reason}",
-        f"use a sub-command, 0x{min(DaisySubCommand):02X} to 0x{max(DaisySubCommand):02X}, and two layers",
+        "{reason}", f"use a sub-command, 0x{min(DaisySubCommand):02X} to 0x{max(DaisySubCommand):02X}, and two layers"
     ),
 )
 NEVER_ANSWERED = _code(

@@ -79,12 +79,12 @@ def _doing(report: Report) -> object:
 
 def _shorter(report: Report) -> tuple[Report, list[Change], list[str]]:
     """Returns the report on the frame with shorter encodings and the changes to it, and what was kept."""
-    made, kept = _shortened(report)
+    frame, made, kept = _shortened(report)
     if not made:
         return report, [], kept
-    after = check(made[-1][1], dialect=report.dialect, carrier=report.carrier)
+    after = check(frame, dialect=report.dialect, carrier=report.carrier)
     if is_better(after, report):
-        return after, [change for change, _ in made], kept
+        return after, made, kept
     reason = f"shorter encodings of {counted(len(made), 'value')} would not give a frame with fewer findings"
     return report, [], [reason]
 
@@ -115,29 +115,28 @@ def _doubt(one: Suggestion, count: int) -> str:
     return "its bytes can only be guessed" if one.unknown else "but that is not certain"
 
 
-def _shortened(report: Report) -> tuple[list[tuple[Change, bytes]], list[str]]:
-    """Returns the changes to the shortest encodings, each with the frame up to it, and a sentence about others."""
-    message = read_last(report.frame, report.dialect)
+def _shortened(report: Report) -> tuple[bytes, list[Change], list[str]]:
+    """Returns the frame with the shortest encodings, the changes to it, and a sentence about others."""
+    frame, message = report.frame, read_last(report.frame, report.dialect)
     if not isinstance(message, DirectCommand) or message.fault is not None:
-        return [], []
-    keeps_size = _spanned(message, len(report.frame))
-    made: list[tuple[Change, bytes]] = []
-    spanned, frame = 0, report.frame
+        return frame, [], []
+    keeps_size = _spanned(message, len(frame))
+    made: list[Change] = []
     found = [(one, argument) for one in message.operations for argument in longer_arguments(one)]
-    moved = 0
-    for operation, argument in found:
-        if keeps_size[argument.offset]:
-            spanned += 1
+    spanned = sum(keeps_size[argument.offset] for _, argument in found)
+    # From the last one on, so that the offsets of the others stay.
+    for operation, argument in reversed(found):
+        at = argument.offset
+        if keeps_size[at]:
             continue
-        new, at = shortest(argument), argument.offset - moved
+        new = shortest(argument)
         frame = with_length(frame[LENGTH_FIELD:at] + new + frame[at + argument.length :])
-        saved = argument.length - len(new)
-        moved += saved
-        what = f"{argument.name} of {operation.full_name} at offset {argument.offset}"
+        what = f"{argument.name} of {operation.full_name} at offset {at}"
         before, after = argument.raw.hex(":").upper(), new.hex(":").upper()
-        made.append((Change(what, before, after, f"the same value in {counted(saved, 'byte')} less"), frame))
+        why = f"the same value in {counted(argument.length - len(new), 'byte')} less"
+        made.insert(0, Change(what, before, after, why))
     its = "their" if spanned > 1 else "its"
-    return made, [f"{counted(spanned, 'longer encoding')} kept: a jump counts {its} bytes"] if spanned else []
+    return frame, made, [f"{counted(spanned, 'longer encoding')} kept: a jump counts {its} bytes"] if spanned else []
 
 
 def _spanned(command: DirectCommand, size: int) -> bytearray:

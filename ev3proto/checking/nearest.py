@@ -15,16 +15,7 @@ from typing import NamedTuple
 from ev3proto.checking import codes
 from ev3proto.checking.checking import check
 from ev3proto.checking.dangers import acts_of, warning
-from ev3proto.checking.edits import (
-    DIRECT,
-    SYSTEM,
-    Edit,
-    header_edits,
-    left_over,
-    operation_edits,
-    spaced,
-    system_edits,
-)
+from ev3proto.checking.edits import DIRECT, SYSTEM, Edit, header_edits, left_over, operation_edits, spaced, system_edits
 from ev3proto.checking.habits import ELSEWHERE, habitual
 from ev3proto.checking.report import Report, Suggestion
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS

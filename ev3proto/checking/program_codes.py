@@ -5,20 +5,14 @@ The examples are whole images.
 
 from __future__ import annotations
 
-from ev3proto.checking.codes import FindingCode
-from ev3proto.checking.report import Severity
+from functools import partial
+
+from ev3proto.checking.codes import FindingCode, registered
 
 PROGRAM_CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
 
-_SEVERITIES = {severity.value[0].upper(): severity for severity in Severity}
-
-
-def _code(code: str, title: str, explanation: str, example: bytes, counterexample: bytes) -> FindingCode:
-    entry = PROGRAM_CODES[code] = FindingCode(
-        code, _SEVERITIES[code[0]], title, explanation.strip(), example, counterexample
-    )
-    return entry
+_code = partial(registered, PROGRAM_CODES)
 
 
 def _image(

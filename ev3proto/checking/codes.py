@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
-from string import Formatter
+from functools import partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -31,11 +30,6 @@ class Words:
 
     message: str
     help: str
-
-    @cached_property
-    def parts(self) -> frozenset[str]:
-        """The names of the parts."""
-        return frozenset(name for _, name, *_ in Formatter().parse(self.message + self.help) if name)
 
 
 _Texts = Mapping[Wrong | Role | str, Words]

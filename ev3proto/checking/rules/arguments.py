@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -31,49 +31,33 @@ from ev3proto.tables.output import LETTERS, PORT_SETS
 def value_finding(operation: CheckedOperation, argument: Argument, judgement: Judgement) -> Finding:
     """Returns the finding about a constant."""
     wrong = judgement.wrong
-    code = codes.OF_VALUES[wrong]
-    parts = {name: part(argument, judgement) for name, part in _PARTS.items() if name in code.words[wrong].parts}
-    return operation.finding_of(code, argument, wrong, **parts)
+    return operation.finding_of(codes.OF_VALUES[wrong], argument, wrong, **_parts(argument, judgement))
 
 
-def _of_type(judgement: Judgement) -> str:
-    limits = RANGES.get(judgement.known.parameter.type)
-    return f"{limits.low} to {limits.high}" if limits is not None else "a text"
-
-
-def _legal(_: Argument, judgement: Judgement) -> str:
-    domain = judgement.known.domain
-    return domain.choice if domain is not None else _of_type(judgement)
-
-
-def _accepted(_: Argument, judgement: Judgement) -> str:
-    validated = judgement.known.validated
-    assert validated.numbers is not None
-    return f"{validated.numbers[0]} to {validated.numbers[-1]} as {validated.kind}"
-
-
-def _letters(_: Argument, judgement: Judgement) -> str:
-    return ", ".join(f"{LETTERS[letter]} for {letter}" for letter in PORT_SETS[int(judgement.value)].split("+"))
-
-
-_PARTS: dict[str, Callable[[Argument, Judgement], object]] = {
-    "value": lambda _, judgement: judgement.value,
-    "read": lambda _, judgement: judgement.read,
-    "aside": lambda _, it: "" if it.read is None else f"; the brick reads it as {it.read}",
-    "byte": lambda argument, _: f"0x{argument.raw[0]:02X}",
-    "kind": lambda _, judgement: judgement.known.parameter.type,
-    "type": lambda _, judgement: f"a {judgement.known.parameter.type}, {_of_type(judgement)}",
-    "large": lambda _, it: f" large enough for {it.known.parameter.type}" if it.known.parameter.type.size else "",
-    "legal": _legal,
-    "outside": lambda _, it: it.known.domain.outside if it.known.domain is not None else "",
-    "accepted": _accepted,
-    "ports": lambda _, judgement: PORT_SETS[int(judgement.value)],
-    "letters": _letters,
-    "characters": lambda argument, _: counted(argument.length - 2, "character"),
-    "most": lambda _, judgement: (judgement.known.parameter.most or 0) - 1,
-    "over": lambda argument, judgement: argument.length - 1 - (judgement.known.parameter.most or 0),
-}
-"""The parts of the words about a constant."""
+def _parts(argument: Argument, judgement: Judgement) -> dict[str, object]:
+    """Returns the parts of the words about a constant."""
+    known, value, read = judgement.known, judgement.value, judgement.read
+    parameter, domain, accepted = known.parameter, known.domain, known.validated.numbers
+    kind, limits, most = parameter.type, RANGES.get(parameter.type), parameter.most or 0
+    ports = PORT_SETS[int(value)] if judgement.wrong is Wrong.MASK else ""
+    of_type = f"{limits.low} to {limits.high}" if limits is not None else "a text"
+    return {
+        "value": value,
+        "read": read,
+        "aside": "" if read is None else f"; the brick reads it as {read}",
+        "byte": f"0x{argument.raw[0]:02X}",
+        "kind": kind,
+        "type": f"a {kind}, {of_type}",
+        "large": f" large enough for {kind}" if kind.size else "",
+        "legal": domain.choice if domain is not None else of_type,
+        "outside": domain.outside if domain is not None else "",
+        "accepted": f"{accepted[0]} to {accepted[-1]} as {known.validated.kind}" if accepted else "",
+        "ports": ports,
+        "letters": ", ".join(f"{LETTERS[letter]} for {letter}" for letter in ports.split("+") if letter),
+        "characters": counted(argument.length - 2, "character"),
+        "most": most - 1,
+        "over": argument.length - 1 - most,
+    }
 
 
 _SHORT_FORMS = len(SHORT)

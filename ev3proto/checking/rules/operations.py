@@ -28,7 +28,7 @@ def check_flow(context: CheckContext) -> Iterator[Finding]:
     operations = context.operations
     if operations and operations[-1].facts.ends_code:
         yield _object_end(operations[-1], context.end)
-    for operation in operations:
+    for operation in operations if Effect.OF_PROGRAMS in context.effects else ():
         if operation.has(Effect.OF_PROGRAMS) and not operation.facts.ends_code:
             yield from _of_programs(operation)
     if not context.has_jumps and Effect.ENDS not in context.effects:
@@ -225,7 +225,8 @@ _OF_EFFECTS = {Effect.STARTS_SOUND: _sounds, Effect.SHOWS: _pictures, Effect.STA
 
 def check_refusals(context: CheckContext) -> Iterator[Finding]:
     """Yields findings about what stops the parser or validator."""
-    yield from _never_run(context)
+    if Effect.NEVER_RUNS in context.effects:
+        yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
     fault = context.fault

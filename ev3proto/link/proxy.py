@@ -170,9 +170,13 @@ class Proxy:
         if self._options.is_masked:
             opening = [(masked_opening(text), is_host) for text, is_host in opening]
             host, proxy = (_HIDDEN_HOST, host[1]), (_HIDDEN_PROXY, proxy[1])
-        self._record(lambda recording: recording.opened(client, Carrier(carrier), host, proxy))
-        for text, is_from_host in opening:
-            self._record(partial(_record_text, client, text, is_from_host))
+
+        def record(recording: Recording) -> None:
+            recording.opened(client, Carrier(carrier), host, proxy)
+            for text, is_from_host in opening:
+                recording.data(client, text, is_from_host)
+
+        self._record(record)
         return _Session(self, client)
 
     def queued(self) -> None:
@@ -343,10 +347,6 @@ class _Session:
     def close(self) -> None:
         """Learns that the client has disconnected."""
         self._proxy.act(lambda: self._proxy.gone(self._client))
-
-
-def _record_text(client: Client, text: bytes, is_from_host: bool, recording: Recording) -> None:
-    recording.data(client, text, is_from_host)
 
 
 def _raise(error: Exception) -> None:

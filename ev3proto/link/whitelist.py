@@ -102,19 +102,24 @@ def _beyond(operation: Operation, memory: dict[str, int]) -> str | None:
 
 
 def _is_fine(argument: Argument, number: int, operation: Operation, memory: dict[str, int]) -> bool:
-    parameter, form, given = argument.parameter, argument.form, whole_number(argument)
+    parameter, form = argument.parameter, argument.form
     if form.handle or form.address or parameter.type in (Type.HANDLE, Type.LABEL):
         return False
     if parameter.is_output or parameter.stores:
         return argument.is_variable and _has_room(number, operation, memory[argument.kind])
+    if parameter.type is Type.STRING:
+        return argument.kind == TEXT and is_own(argument.raw[1:-1]) and is_allowed(argument.raw[1:-1])
+    return _is_fine_number(argument, operation)
+
+
+def _is_fine_number(argument: Argument, operation: Operation) -> bool:
+    parameter, given = argument.parameter, whole_number(argument)
     if parameter.enum is TYPE:
         # Whatever it is, `with_types_kept` replaces it.
         return given is not None
-    if parameter.type is Type.STRING:
-        return argument.kind == TEXT and is_own(argument.raw[1:-1]) and is_allowed(argument.raw[1:-1])
-    tail, limits = operation.declaration.tail, limits_of(parameter)
     if parameter.length is not None or parameter.indexed_by is not None or argument.kind != CONSTANT:
         return False
+    tail, limits = operation.declaration.tail, limits_of(parameter)
     if tail is not None and parameter is tail.counter:
         return given is not None and limits is not None and 0 <= given <= limits.high
     return judged(facts_of(parameter), argument) is None

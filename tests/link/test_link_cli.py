@@ -21,7 +21,7 @@ import pytest
 from dpkt.ethernet import Ethernet
 from support.cli import ROOT, run_ev3proto_text
 from support.relays import Relay, relay
-from support.server import ACCEPT, UNLOCK, Client, Served, command, frame, free_port, served, system, until
+from support.server import ACCEPT, UNLOCK, Client, Served, command, frame, free_port, served, system, until, upload
 from support.stub_brick import reply, stub_brick
 
 import ev3proto
@@ -459,12 +459,6 @@ def test_a_client_gets_no_reply_to_another_one() -> None:
             assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
 
 
-def upload(client: Client, data: bytes, path: bytes = b"../prjs/x/x.rbf") -> bytes:
-    """Sends a file of any length in two frames; returns the last reply."""
-    begun = client.ask(system(0x92, len(data).to_bytes(4, "little") + path + b"\0"))
-    return client.ask(system(0x93, begun[7:8] + data))
-
-
 @pytest.mark.parametrize("size", [1017, 1018, 1187, 65_530])
 def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> None:
     data = Random(1).randbytes(size)
@@ -474,7 +468,7 @@ def test_a_download_of_any_length_goes_through(tmp_path: Path, size: int) -> Non
         relay(f"wifi:127.0.0.1:{brick.port}", Recording(stream)) as found,
         Client(found.proxy.port) as client,
     ):
-        assert upload(client, data)[6] == 8  # END_OF_FILE
+        assert upload(client, b"../prjs/x/x.rbf", data, 65_530) == 8  # END_OF_FILE
         assert client.ask(command("NOP()", 7)) == bytes.fromhex("0300070002")
         assert (tmp_path / "prjs/x/x.rbf").read_bytes() == data
         assert found.said == []
@@ -528,8 +522,7 @@ def test_a_reply_answers_the_oldest_command_with_its_counter() -> None:
 def test_a_frame_that_is_longer_than_a_report_does_not_go_to_usb(tmp_path: Path) -> None:
     with relay(f"virtual:{tmp_path}") as found, Client(found.proxy.port) as client:
         found.wire.carrier = Carrier.USB
-        refused = upload(client, PROGRAM)
-        assert (refused[4], refused[6]) == (0x05, SystemStatus.SIZE_ERROR)
+        assert upload(client, b"../prjs/x.rbf", PROGRAM, 1187) == SystemStatus.SIZE_ERROR
         assert found.said == [
             "a frame of 1194 bytes was not sent: on USB a frame has at most 1024 bytes; send the file in pieces"
         ]

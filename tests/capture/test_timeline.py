@@ -320,9 +320,8 @@ def polls(count: int, brick: Brick | None = None) -> Iterator[Event]:
             yield brick.answers(10 * number + 1 + number % 7, reply)
 
 
-def test_beyond_the_limit_marks_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.collecting.MOST_MARKS", 100)
-    timeline = collected(list(polls(1000)))
+def test_beyond_the_limit_marks_are_counted() -> None:
+    timeline = collected(list(polls(1000)), most_marks=100)
     lane = Lane("USB 1.7", LaneKind.DIRECT, "UI_READ.GET_VBATT")
     # 10 s in at most 600 bins: 50 ms each, 5 commands.
     assert timeline.bin_width == 0.05
@@ -341,17 +340,15 @@ def test_beyond_the_limit_marks_are_counted(monkeypatch: pytest.MonkeyPatch) -> 
     assert "in packet 8" in cells[0]["tip"]["slowest answer"]
 
 
-def test_at_the_limit_they_are_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.collecting.MOST_MARKS", 100)
-    timeline = collected(list(polls(100)))
+def test_at_the_limit_they_are_not() -> None:
+    timeline = collected(list(polls(100)), most_marks=100)
     assert (len(timeline.marks), timeline.cells, timeline.bin_width) == (100, {}, 0)
 
 
-def test_troubles_are_kept_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.collecting.MOST_MARKS", 10)
+def test_troubles_are_kept_up_to_a_limit() -> None:
     brick = Brick()
     events: list[Event] = [brick.skipped(number, "garbage") for number in range(MOST_TROUBLES + 30)]
-    timeline = collected(events)
+    timeline = collected(events, most_marks=10)
     assert (len(timeline.marks), timeline.unshown) == (MOST_TROUBLES, 30)
     assert summary(timeline)[-1] == "30 marks of errors and files omitted: there are too many."
 
@@ -391,7 +388,7 @@ def test_files_are_limited() -> None:
 def test_commands_that_wait_are_limited() -> None:
     brick = Brick()
     events: Iterator[Event] = (brick.tells(number, ask(number % 65536, VOLTAGE)) for number in range(MOST_PENDING + 9))
-    timeline = collect(events)
+    timeline = collect(events, most_marks=10)
     assert timeline is not None
     assert timeline.outcomes == {MarkState.UNANSWERED: MOST_PENDING + 9}
 
@@ -599,9 +596,8 @@ def test_the_same_input_gives_the_same_bytes(form: Form) -> None:
 
 
 @pytest.mark.parametrize("form", list(Form))
-def test_counts_are_drawn_in_all_forms(form: Form, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ev3proto.capture.timeline.collecting.MOST_MARKS", 50)
-    data = render(collected(list(polls(300))), form, "robot.pcapng")
+def test_counts_are_drawn_in_all_forms(form: Form) -> None:
+    data = render(collected(list(polls(300)), most_marks=50), form, "robot.pcapng")
     assert len(data) > 10_000
     if form is Form.SVG:
         assert b"marks in 5 ms" in data

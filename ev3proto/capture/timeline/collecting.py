@@ -59,12 +59,13 @@ def collect(
     events: Iterable[Event],
     chosen: Callable[[Record], bool] | None = None,
     window: Window | None = None,
+    most_marks: int = MOST_MARKS,
 ) -> Timeline | None:
     """Returns the timeline of a capture; None if there is nothing to draw.
 
     A command and its reply are drawn if either is chosen; without `chosen` everything is, within the window.
     """
-    collecting = collect_in_steps(events, chosen, window)
+    collecting = collect_in_steps(events, chosen, window, most_marks)
     while True:
         try:
             next(collecting)
@@ -77,9 +78,10 @@ def collect_in_steps(
     events: Iterable[Event],
     chosen: Callable[[Record], bool] | None = None,
     window: Window | None = None,
+    most_marks: int = MOST_MARKS,
 ) -> Generator[None, None, Timeline | None]:
     """Collects in steps: yields after each dialogue, and returns the timeline."""
-    collector = _Collector(chosen, window or Window())
+    collector = _Collector(chosen, window or Window(), most_marks)
     for pair in dialogues(map(collector.seen, events)):
         collector.dialogue(pair)
         yield
@@ -97,7 +99,7 @@ class _Move:
 
 
 class _Collector:
-    def __init__(self, chosen: Callable[[Record], bool] | None, window: Window) -> None:
+    def __init__(self, chosen: Callable[[Record], bool] | None, window: Window, most_marks: int) -> None:
         self._chosen = chosen
         self._window = window
         self._first = -math.inf if window.first is None else window.first
@@ -105,6 +107,7 @@ class _Collector:
         self._origin: int | None = None
         # Some logs have no times; their messages are drawn in order.
         self._is_timed = True
+        self._most_marks = most_marks
         self._marks: list[Mark] = []
         self._bins: Bins | None = None
         self._moves: dict[int, _Move] = {}
@@ -278,7 +281,7 @@ class _Collector:
             self._count(self._bins, mark)
             return
         self._marks.append(mark)
-        if len(self._marks) > MOST_MARKS:
+        if len(self._marks) > self._most_marks:
             marks, self._marks, self._bins = self._marks, [], Bins()
             for each in marks:
                 self._count(self._bins, each)

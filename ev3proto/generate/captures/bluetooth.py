@@ -232,10 +232,10 @@ def multiplexed(kind: int, is_command: bool, body: bytes) -> bytes:
     return bytes((kind << 2 | is_command << 1 | 1, len(body) << 1 | 1)) + body
 
 
-def negotiated(flow: int) -> bytes:
+def negotiated(flow: int, frame_size: int = FRAME_SIZE, dlci: int = DLCI) -> bytes:
     """Builds the parameters of a port; `flow` is ASKS or AGREES."""
-    port = {"dlci": DLCI, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
-    return bytes(NEGOTIATED.build(port | {"frame_size": FRAME_SIZE, "credits": CREDITS}))
+    port = {"dlci": dlci, "flow": flow, "priority": 7, "timer": 0, "retransmissions": 0}
+    return bytes(NEGOTIATED.build(port | {"frame_size": frame_size, "credits": CREDITS}))
 
 
 def modem_status(dlci: int) -> bytes:

@@ -15,6 +15,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 from random import Random
+from types import SimpleNamespace
 
 import pytest
 import serial
@@ -26,6 +27,7 @@ import ev3proto
 from ev3proto.brick import limits
 from ev3proto.brick.declared import DeclarationError
 from ev3proto.brick.servers.host import Faults, ServerError
+from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.brick.servers.script import Script, read_script
 from ev3proto.brick.servers.server import Options
 from ev3proto.capture import Record, read
@@ -303,6 +305,23 @@ def test_garbage_is_recorded_checked_and_watched(tmp_path: Path) -> None:
         assert len(list(brick.now.reporter.lines())) > 10
         # The brick reported no bug.
         assert [said for said in brick.said if "please report" in said] == []
+
+
+def test_a_frame_that_is_sent_twice_is_watched_twice() -> None:
+    """The playground sends it again while the first one is under way."""
+    watcher, page = Watcher(time.monotonic), SimpleNamespace(number=1, name="page")
+    silent, unknown = frame(1, 0x80, b"\0\0\x01"), frame(1, 0x77, b"")
+    for sent in (VOLUME, VOLUME, silent, unknown):
+        watcher.frame(page, sent, True)
+    for _ in range(2):
+        watcher.frame(page, HUNDRED, False)
+    talks = watcher.open().take(9)
+    assert [(talk.command, talk.reply) for talk in talks] == [
+        (VOLUME, HUNDRED),
+        (VOLUME, HUNDRED),
+        (silent, None),
+        (unknown, None),
+    ]
 
 
 def test_a_frame_that_never_ends(tmp_path: Path) -> None:

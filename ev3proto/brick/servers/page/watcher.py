@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from ev3proto.bounded import Bounded
 from ev3proto.brick.servers import Observer
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE, Header
+from ev3proto.semantics.pairing import Pairing, pairing_key
+from ev3proto.tables.frame import ASKING_TYPES, MESSAGE_TYPES
 from ev3proto.text.phrases import command_spans, dialogue_line
 from ev3proto.text.spans import Role, plain_text
 
@@ -86,7 +87,7 @@ class Watcher(Observer):
         self._clock = clock
         self._count = 0
         self._kept: deque[Talk] = deque(maxlen=MOST_KEPT)
-        self._pending: Bounded[tuple[int, int], Talk] = Bounded(MOST_PENDING)
+        self._pairing: Pairing[Talk] = Pairing(MOST_PENDING)
         self._pages: set[Unshown] = set()
 
     def open(self) -> Unshown:
@@ -100,21 +101,22 @@ class Watcher(Observer):
         self._pages.discard(unshown)
 
     def frame(self, connection: Client, frame: bytes, is_from_host: bool) -> None:
-        """Begins a dialogue with a command, or ends it with the reply of the same counter."""
+        """Begins a dialogue with a command, or ends it with its reply."""
         if len(frame) < HEADER_SIZE:
             return
-        key = connection.number, Header.read(frame).counter
-        now = self._clock()
-        talk = None if is_from_host else self._pending.pop(key, None)
-        if talk is not None:
+        number, now = Header.read(frame).type, self._clock()
+        key, size = pairing_key(frame) if number in MESSAGE_TYPES else (None, None)
+        answer = None if is_from_host else self._pairing.answered((connection.number, key), size)
+        if answer is not None:
+            talk = answer.command
             talk.reply, talk.latency = frame, now - talk.begun
         else:
             self._count += 1
             talk = Talk(self._count, connection.name, now, frame if is_from_host else None)
-            if is_from_host:
-                self._pending.add(key, talk)
-            else:
+            if not is_from_host:
                 talk.reply = frame
+            elif number in ASKING_TYPES:
+                self._pairing.remember((connection.number, key), size, talk)
             self._kept.append(talk)
         for page in self._pages:
             page.add(talk)

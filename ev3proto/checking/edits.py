@@ -291,12 +291,12 @@ def _raw(place: Place) -> Iterator[tuple[str, int, int, float]]:
         for is_signed in (False, True):
             number = int.from_bytes(data[at : at + width], "little", signed=is_signed)
             if len(encode_integer(number)) >= width and (number < 0) == is_signed:
-                yield "raw", width, number, 0.5 * (width == 2) + is_argument + _oddness(number, width)
+                yield "raw", width, number, 0.5 * (width == 2) + is_argument + _oddness(number)
 
 
-def _oddness(number: int, width: int) -> float:
-    """Returns the cost of a number that people rarely write in some bytes: negative, too large, or not round."""
-    return 1.0 * (number < 0) + 1.0 * (abs(number) > _LARGE and width > 1) + 0.3 * (number % 5 > 0)
+def _oddness(number: int) -> float:
+    """Returns the cost of a number that people rarely write in some bytes: negative, or not round."""
+    return 1.0 * (number < 0) + 0.3 * (number % 5 > 0)
 
 
 def _width(place: Place) -> Iterator[Edit]:

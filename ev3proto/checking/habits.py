@@ -19,10 +19,6 @@ from ev3proto.semantics.facts import operation_facts
 from ev3proto.semantics.likelihood import CommandCode, rarity
 
 _REPEATED = -0.1  # the cost of the same slip again: one habit explains all
-ELSEWHERE = 1.0
-"""The cost of a place without the slip, where it could be."""
-
-_MOST_COST = 16.0  # of a path
 _LONGEST = 300  # bytes of a frame
 
 
@@ -78,7 +74,7 @@ def habitual(code: CommandCode) -> Iterator[tuple[tuple[Edit, ...], float, float
 
 def _keep(paths: _Paths, key: tuple[int, str], path: _Path) -> None:
     known = paths.get(key)
-    if path.cost <= _MOST_COST and (known is None or path.cost < known.cost):
+    if known is None or path.cost < known.cost:
         paths[key] = path
 
 
@@ -121,12 +117,10 @@ def _argument(code: CommandCode, schema: OperationSchema, number: int, reader: R
     for (at, kind), path in paths.items():
         if at not in options:
             options[at] = list(_options(code, schema, number, reader, at, path.arguments))
-        is_likely = any(one.edit is not None and one.edit.kind == kind and one.edit.extra < 1 for one in options[at])
         for end, cost, argument, edit in options[at]:
             arguments = (*path.arguments, argument)
             if edit is None:
-                read = path.read + cost + ELSEWHERE * is_likely
-                _keep(here, (end, kind), path._replace(read=read, arguments=arguments))
+                _keep(here, (end, kind), path._replace(read=path.read + cost, arguments=arguments))
             elif edit.kind == kind:
                 new = _Path(path.read + cost, path.extra + edit.extra, (*path.edits, edit), arguments)
                 _keep(here, (end, kind), new)

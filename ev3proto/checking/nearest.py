@@ -16,7 +16,7 @@ from ev3proto.checking import codes
 from ev3proto.checking.checking import check
 from ev3proto.checking.dangers import acts_of, warning
 from ev3proto.checking.edits import DIRECT, SYSTEM, Edit, header_edits, left_over, operation_edits, spaced, system_edits
-from ev3proto.checking.habits import ELSEWHERE, habitual
+from ev3proto.checking.habits import habitual
 from ev3proto.checking.report import Report, Suggestion
 from ev3proto.checking.slips import CHOICES, HABITS, SLIPS
 from ev3proto.errors import counted
@@ -47,6 +47,7 @@ _MARGIN = 0.4  # how much better than silence
 _CLEAR = 1.1  # how much better than all others a fix is
 _LESS_WITH_MEMORY = 2.0  # how much less a candidate costs for which other memory is requested
 _LIKELY = 0.5  # the further cost of an edit below which a slip is likely at its place
+_ELSEWHERE = 1.0  # the cost of a place without the slip, where it could be
 _TIE = 0.7  # the difference up to which two are equally likely
 _MOST_OF_FIRST = 5.0  # the cost of one slip from which on the same slip in several places is looked for
 _OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
@@ -442,7 +443,7 @@ def _once(one: _Judged, habits: list[_Judged]) -> _Judged:
     edit = one.candidate.edits[0]
     alike = [habit.candidate.edits for habit in habits if edit in habit.candidate.edits]
     is_likely = any(sum(other.extra < _LIKELY for other in edits) > 1 for edits in alike)
-    return one._replace(cost=one.cost + ELSEWHERE, doubt=one.doubt + ELSEWHERE) if is_likely else one
+    return one._replace(cost=one.cost + _ELSEWHERE, doubt=one.doubt + _ELSEWHERE) if is_likely else one
 
 
 def _place(one: _Judged) -> object:

@@ -124,17 +124,16 @@ do
         return place, is_open
     end
 
-    -- Tells whether a frame must be searched for.
-    local function is_lost(step)
-        return step == "lost" or step == "astray"
-    end
+    -- The steps of a stream in which a frame must be searched for.
+    local LOST = { lost = true, astray = true }
 
-    -- Judges the bytes from an offset on: OURS for a frame that can be dissected; PART for one that has to wait, with
-    -- the number of bytes it needs, if known, and the step of the stream; nil if it is not a frame.
+    -- Judges the bytes from an offset on: OURS for a frame that can be dissected, with what is wrong with its length;
+    -- PART for one that has to wait, with the bytes it needs, if known, and the step of the stream; nil for no frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
-        if is_lost(step) or stop and not is_length(text, at) then return nil end
-        if finding.slip_of(text, at, stream.sent) then return OURS end
+        if LOST[step] or stop and not is_length(text, at) then return nil end
+        local slip = finding.slip_of(text, at, stream.sent)
+        if slip then return OURS, slip end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
@@ -151,6 +150,14 @@ do
         return PART, at > 0 and stop and stop - stream.reported or nil, step == "text" and step or "sure"
     end
 
+    -- Takes a conversation with a text of WiFi for one of a brick: a request begins it anew.
+    local function confirm(conversation, text, at)
+        local is_request = sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request
+        if is_request and conversation.number then dialogues.renew(conversation) end
+        dialogues.unlock(conversation)
+        if conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
+    end
+
     -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
     -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
     -- `stream` has
@@ -164,22 +171,16 @@ do
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
     function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
-        local at, captured, lost, start, step = stream.start or 0, #text, 0, tvb:offset(), stream.step
-        local no_frame_at
+        local at, captured, lost, start, step, no_frame_at = stream.start or 0, #text, 0, tvb:offset(), stream.step
         while at < captured do
             local said, after, verdict, wanted, step_then, is_open
             if UNLOCK.starts[byte(text, at + 1)] then
                 said, after = dissect_text(tvb, text, at, tree, brick)
                 if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
                 if said then step = "text" end
-                local is_again = said and conversation and conversation.number
-                if is_again and sub(text, at + 1, at + #UNLOCK.request) == UNLOCK.request then
-                    dialogues.renew(conversation)
-                end
-                if said and conversation then dialogues.unlock(conversation) end
-                if said and conversation and conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
+                if said and conversation then confirm(conversation, text, at) end
             end
-            local polled = is_lost(step) and at or after_polls(text, at)
+            local polled = LOST[step] and at or after_polls(text, at)
             if polled > at and (polled == captured or may_start(text, polled)) then
                 said, after = "poll", polled
                 add_bytes(tvb, at, after, tree, brick, said, field.padding)
@@ -195,7 +196,7 @@ do
             elseif verdict == OURS then
                 after = math.min(stop_of(text, at), captured)
                 local message, place = messages.read_at(text, at), storage.place_of(number, start + at)
-                message.slip = finding.slip_of(text, at, stream.sent)
+                message.slip = wanted
                 -- The bytes after it in the packet are the rest of the next frame.
                 if message.slip then no_frame_at = after end
                 said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
@@ -207,7 +208,7 @@ do
                     add_bytes(tvb, at, after, tree, brick, said, field.rest)
                 else
                     -- After a frame in the same packet this is the sender's fault, and ends with the packet.
-                    local was_lost, place = is_lost(step), storage.place_of(number, start + at)
+                    local was_lost, place = LOST[step], storage.place_of(number, start + at)
                     local is_after = at == no_frame_at
                         or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
                     local stop = is_after and at < stream.joint and stream.joint or captured
@@ -223,9 +224,8 @@ do
                     local is_sure = not is_open and (after < captured or plain or is_after)
                     step = is_sure and "sure" or is_gap and "lost" or "astray"
                     if after > at then
-                        local length = reading.unsigned16(text, at)
-                        said = streaming.dissect_no_frame(tvb, at, after, length, pinfo, tree, brick, plain,
-                            is_after and stop - at, is_gap)
+                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), pinfo, tree,
+                            brick, plain, is_after and stop - at, is_gap)
                         lost = lost + after - at
                     end
                 end

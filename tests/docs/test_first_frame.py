@@ -28,7 +28,7 @@ def first_answers(folder: Path, texts: list[str]) -> list[dict[str, object] | No
     """What the page shows of each text before Python is there."""
     for name in ("ev3-decode.mjs", "ev3-texts.mjs"):
         shutil.copy(built_export(name), folder)
-    for name in ("first.js", "rows.js"):
+    for name in ("first.js", "places.js", "rows.js"):
         shutil.copy(PLAYGROUND / name, folder)
     (folder / "package.json").write_text('{"type": "module"}')
     words = ["node", "--input-type=module", "--eval", PROGRAM]

@@ -20,6 +20,8 @@ from urllib.parse import quote, urljoin
 from urllib.request import urlopen
 
 import pytest
+from playground.bridge import watching
+from playground.bridge.rows import _LINKS
 from selenium.common.exceptions import TimeoutException
 from selenium.webdriver import ActionChains, Chrome, Keys
 from selenium.webdriver.common.by import By
@@ -69,7 +71,7 @@ def page(loaded: Page) -> Iterator[Page]:
     loaded.run("fake.sent.length = 0")
     loaded.steer(isRefused=False, isSilent=False, isUnplugged=False, isBusy=False, isHeld=False, requests=0)
     loaded.type("")
-    loaded.wait(lambda: loaded.text("tree") == "" and loaded.text("status") == "")
+    loaded.wait(lambda: loaded.text("tree") == "" and loaded.is_read)
     complaints(loaded.browser)
     yield loaded
     assert complaints(loaded.browser) == []
@@ -98,10 +100,9 @@ def test_a_link_opens_with_its_frame_read(page: Page) -> None:
 
 
 def _look_at_the_tone(page: Page) -> None:
-    page.wait(lambda: page.text("tree"))
+    page.wait(lambda: page.text("verdict") == "The brick takes it.")
     assert page.text("tree") == printed("decode", TONE)
     assert page.text("findings") == ""
-    assert page.text("verdict") == "The brick takes it."
     assert page.text("frame") == "0x|0E:00|2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03|"
     assert page.text("hex") == "0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03"
     assert page.text("javascript").startswith("const frame = new Uint8Array([0x0e, 0x00, 0x2a,")
@@ -197,7 +198,7 @@ def test_the_tutorial_begins_with_what_the_page_shows(page: Page) -> None:
     (link,) = re.findall(r'href="playground/index.html(#text=[^"]+)"', tutorial)
     shown = tutorial.partition("```text\n")[2].partition("```")[0]
     page.run("location.hash = arguments[0]", link)
-    page.wait(lambda: page.text("tree"))
+    page.wait(lambda: page.text("tree") and page.is_read)
     assert f"\n    {page.input}\n" in tutorial
     assert page.text("tree") == shown
     frame = page.input
@@ -255,8 +256,7 @@ def test_an_empty_page_offers_three_examples(page: Page) -> None:
 
 def test_findings_come_first_by_line_errors_before_warnings(page: Page) -> None:
     warning, error = "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|", "0x|08:00|01:00|00|01:00|81:01:60|"
-    page.type("\n".join([TONE] * 3 + [warning, error] + [TONE] * 16 + [error]))
-    page.wait(lambda: page.text("findings"))
+    page.read("\n".join([TONE] * 3 + [warning, error] + [TONE] * 16 + [error]))
     places = [
         found for text in page.texts("#findings .finding") for found in re.findall(r"--> input, line (\d+),", text)
     ]
@@ -335,7 +335,7 @@ def test_the_headline_is_one_region_under_the_input(page: Page) -> None:
         colours.append(page.run("return getComputedStyle(verdict).color"))
     assert len(set(colours)) == 4
     page.read(f"{TONE}\n0x|zz:00|\n")
-    page.wait(lambda: "but not all" in page.text("verdict"))
+    assert "but not all" in page.text("verdict")
     assert page.texts("#say[role=status] > *") == [page.text(name) for name in ("sentence", "verdict", "error")]
     assert page.run("return say.getBoundingClientRect().top - sheet.getBoundingClientRect().bottom") < 30
     # Of several frames, the chosen one has a sentence of its own.
@@ -391,17 +391,15 @@ class _Ids(HTMLParser):
 
 
 def test_every_operation_has_its_place_in_the_reference(built: Path) -> None:
-    script = "import json; from bridge.rows import _LINKS; print(json.dumps(_LINKS))"
-    links: dict[str, str] = json.loads(_bridge(script))
     pages: dict[str, set[str]] = {}
-    for name, link in links.items():
+    for name, link in _LINKS.items():
         page, _, anchor = link.partition("#")
         if page not in pages:
             parser = _Ids()
             parser.feed((built / "reference" / page).read_text(encoding="utf-8"))
             pages[page] = parser.found
         assert anchor in pages[page], name
-    assert len(links) > 300
+    assert len(_LINKS) > 300
 
 
 # Completion
@@ -632,6 +630,9 @@ def test_the_input_outlives_a_reload(page: Page) -> None:
         page.wait(lambda: page.is_ready)
         page.wait(lambda: expected in page.text("tree"))
 
+    def keeps(beginning: str) -> bool:
+        return str(page.run("return sessionStorage.getItem('input')")).startswith(beginning)
+
     # A browser drops changes of the address that come too often, as after other tests, but not on a new page.
     page.open()
     # A text that is too long for the address, and a capture.
@@ -642,7 +643,7 @@ def test_the_input_outlives_a_reload(page: Page) -> None:
     reload("UI_READ.GET_VBATT")
     assert page.input == long
     page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
-    page.wait(lambda: "GET_BRICKNAME" in page.text("tree") and "after a reload" in page.text("kept"))
+    page.wait(lambda: keeps("usb.pcapng\n"))
     reload("GET_BRICKNAME")
     assert page.run("return input.placeholder") == "usb.pcapng"
     assert not page.is_shown("start")
@@ -651,7 +652,7 @@ def test_the_input_outlives_a_reload(page: Page) -> None:
     page.wait(lambda: "SOUND.TONE" in page.text("tree"))
     assert page.input == TONE
     page.browser.find_element(By.ID, "file").send_keys(str(CAPTURES / "usb.pcapng"))
-    page.wait(lambda: "after a reload" in page.text("kept"))
+    page.wait(lambda: keeps("usb.pcapng\n"))
     first = page.browser.current_window_handle
     page.browser.switch_to.new_window("tab")
     try:
@@ -821,34 +822,27 @@ def test_a_short_listing_is_read_to_its_end_at_once(page: Page) -> None:
 
 
 def test_a_file_that_is_open_is_closed_before_disconnecting(page: Page) -> None:
-    # BEGIN_DOWNLOAD of 100 bytes to ../prjs/x/x.txt, and none of them.
-    page.read("18 00 2A 00 01 92 64 00 00 00 2E 2E 2F 70 72 6A 73 2F 78 2F 78 2E 74 78 74 00")
-    page.connect("usb")
-    page.click("send")
-    page.wait(lambda: page.is_shown("allow"))
-    page.click("allow")
-    page.wait(lambda: "handle" in page.text("answer"))
-    assert page.fact("sent")[-1][10:12] == "92"
-    page.click("disconnect")
-    page.wait(lambda: page.connection == "none")
-    assert page.fact("sent")[-1][10:12] == "98"
-
-
-def test_a_file_that_is_read_is_closed_before_disconnecting(page: Page) -> None:
-    # A file of 2,000 bytes, of which the page reads 10.
+    # The brick has a file of 2,000 bytes.
     path = b"../prjs/x/long.rtf\0"
     for body in (b"\x92\xd0\x07\0\0" + path, b"\x93\0" + bytes(1000), b"\x93\0" + bytes(1000)):
-        frame = (len(body) + 3).to_bytes(2, "little") + b"\x01\0\x01" + body
-        urlopen(urljoin(page.address, "/brick"), frame.hex().encode()).close()
-    begin = b"\x94\x0a\0" + path
-    page.read(((len(begin) + 3).to_bytes(2, "little") + b"\x2a\0\x01" + begin).hex(" "))
-    page.connect("usb")
-    page.click("send")
-    page.wait(lambda: "handle" in page.text("answer"))
-    assert page.fact("sent")[-1][10:12] == "94"
-    page.click("disconnect")
-    page.wait(lambda: page.connection == "none")
-    assert page.fact("sent")[-1][10:12] == "98"
+        urlopen(urljoin(page.address, "/brick"), system_command(body).hex().encode()).close()
+    # BEGIN_DOWNLOAD of 100 bytes and none of them; BEGIN_UPLOAD of 10.
+    for begin, asks in ((b"\x92\x64\0\0\0../prjs/x/x.txt\0", True), (b"\x94\x0a\0" + path, False)):
+        page.read(system_command(begin).hex(" "))
+        page.connect("usb")
+        page.click("send")
+        if asks:
+            page.wait(lambda: page.is_shown("allow"))
+            page.click("allow")
+        page.wait(lambda: "handle" in page.text("answer"))
+        assert page.fact("sent")[-1][10:12] == f"{begin[0]:02x}"
+        page.disconnect()
+        assert page.fact("sent")[-1][10:12] == "98"
+
+
+def system_command(body: bytes) -> bytes:
+    """A system command that wants a reply."""
+    return (len(body) + 3).to_bytes(2, "little") + b"\x2a\0\x01" + body
 
 
 def test_in_a_frame_of_another_page_no_brick_is_reached(page: Page) -> None:
@@ -941,28 +935,31 @@ def test_what_does_not_only_read_asks_first(page: Page) -> None:
 
 
 def test_the_button_says_where_a_frame_goes_and_whether_it_was_sent(page: Page) -> None:
+    def wait_for(*texts: str) -> None:
+        expected.extend(texts)
+        page.wait(lambda: page.run("return heard") == expected)
+
+    expected: list[str] = []
+    page.wait(lambda: page.text("send") == "Send to the brick")  # a test before this one may have sent
+    page.run("heard = []; new MutationObserver(() => heard.push(send.textContent)).observe(send, {childList: true})")
     page.read("OUTPUT_START(0, 1)")
     page.click("send")
-    page.wait(lambda: page.text("send") == "Sent")
-    page.wait(lambda: page.text("send") == "Send to the brick")
+    wait_for("Sent", "Send to the brick")
     # What it said before a connection is not said again.
     page.connect("usb")
-    assert page.text("send") == "Send to the real brick"
+    wait_for("Send to the real brick")
     page.read(BATTERY)
     page.click("send")
-    page.wait(lambda: page.text("send") == "Sent")
-    page.wait(lambda: page.text("send") == "Send to the real brick")
+    wait_for("Sent", "Send to the real brick")
     # Nor is "Sent" said of what was not.
     page.read("OUTPUT_START(0, 1)")
-    page.run("heard = []; new MutationObserver(() => heard.push(send.textContent)).observe(send, {childList: true})")
     for key in (Keys.ENTER, Keys.ESCAPE):
         page.click("send")
         page.wait(lambda: page.is_shown("allow"))
         page.browser.switch_to.active_element.send_keys(key)
         page.wait(lambda: not page.is_shown("allow"))
     page.click("disconnect")
-    page.wait(lambda: page.text("send") == "Send to the brick")
-    assert page.run("return heard") == ["Send to the brick"]
+    wait_for("Send to the brick")
 
 
 def test_what_belongs_to_an_older_input_is_not_shown(page: Page) -> None:
@@ -1046,7 +1043,7 @@ def test_operations_can_be_edited_and_the_frame_follows(page: Page) -> None:
     edit += "arguments[0].dispatchEvent(new Event('input'))"
     page.run(edit, operations, "440", "880")
     page.wait(lambda: page.text("frame") == "0x|0E:00|2A:00|80|00:00|94:01:01:82:70:03:82:E8:03|")
-    assert page.text("sentence").startswith("Plays 880 Hz") or page.wait(lambda: "880" in page.text("sentence")) is None
+    page.wait(lambda: page.text("sentence").startswith("Plays 880 Hz"))
     page.run(edit, operations, "TONE", "TOEN")
     page.wait(lambda: "did you mean TONE" in page.text("operations"))
     assert "82:70:03" in page.text("frame")
@@ -1197,30 +1194,13 @@ def test_the_licences_of_what_it_contains_are_there_in_full(built: Path) -> None
     assert '<a href="licences.txt">' in page
 
 
-def _bridge(script: str) -> str:
-    """What a script with the Python side of the page prints."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "docs" / "playground")}
-    command = [sys.executable, "-c", script]
-    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True).stdout
-
-
-def test_its_python_runs_here_too() -> None:
-    answer = json.loads(_bridge(f"import bridge; print(bridge.look({TONE!r}))"))
-    pieces, *place = answer["lines"][3]
-    assert "".join(text for text, *_ in pieces) == (
-        "    10    FREQUENCY = 440 Hz  LC2: pitch; the driver clamps it to the range"
-    )
-    assert place == [0, 10, 3]
-
-
 def test_each_type_of_a_device_on_a_real_brick_is_shown() -> None:
     """Also those that no device has, and those that no table has."""
-    script = "import json; from bridge.watching import shown; print(json.dumps([shown(n, 0, 1.5) for n in range(256)]))"
-    found = json.loads(_bridge(script))
-    assert found[7] == ["large motor", "2 degrees"]
-    assert found[17] == ["unused type 17", "2"]
-    assert found[30] == ["EV3 ultrasonic sensor", "1.5 cm"]
-    assert found[60] == ["type 60", "1.5"]
+    found = [watching.shown(number, 0, 1.5) for number in range(256)]
+    assert found[7] == ("large motor", "2 degrees")
+    assert found[17] == ("unused type 17", "2")
+    assert found[30] == ("EV3 ultrasonic sensor", "1.5 cm")
+    assert found[60] == ("type 60", "1.5")
 
 
 def test_without_npm_the_rest_can_be_built(tmp_path: Path) -> None:

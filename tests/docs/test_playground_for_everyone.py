@@ -47,6 +47,9 @@ def violations(page: Page, *without: str, in_dark: bool = True) -> list[Any]:
     axe = (node_modules() / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
     page.browser.execute_cdp_cmd("Runtime.evaluate", {"expression": axe})
     page.browser.set_script_timeout(300)
+    # What was dimmed is pale for a moment.
+    fading = "return document.getAnimations().some((each) => each.playState === 'running')"
+    page.wait(lambda: page.is_read and not page.run(fading))
     run = "axe.run({exclude: arguments[0]}, arguments[1]).then((it) => arguments[2](it.violations))"
     found: list[Any] = []
     for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]}))[: 1 + in_dark]:
@@ -165,6 +168,7 @@ def test_the_input_has_the_focus_and_keys_reach_everything(page: Page) -> None:
     assert page.texts("#bytes .chosen") == ["61"]
     levels = page.run("return [...document.querySelectorAll('#tree [role]')].map((each) => each.ariaLevel)")
     assert levels[:2] == ["1", "2"]
+    page.wait(lambda: page.is_shown("header"))
     page.browser.find_element(By.ID, "header").send_keys(Keys.ARROW_DOWN, Keys.ARROW_DOWN)
     assert page.texts("#header .chosen")[0].split()[:2] == ["2", "counter"]
 

@@ -76,6 +76,7 @@ class Page(NamedTuple):
         if wait:
             self.wait(lambda: "cannot" in self.text("status") or self.is_ready, 120)
             assert self.is_ready, self.text("status")
+            self.wait(lambda: self.is_read)
 
     def run(self, script: str, *arguments: object) -> Any:
         """Runs a script in the page."""
@@ -106,6 +107,11 @@ class Page(NamedTuple):
         return bool(self.run("return document.body.dataset.ready === 'true'"))
 
     @property
+    def is_read(self) -> bool:
+        """Whether all of the input is read: what is shown is neither of an older one nor a part."""
+        return self.text("status") == "" and not self.run("return document.body.matches('.stale')")
+
+    @property
     def input(self) -> str:
         """The text in the input."""
         return str(self.browser.find_element(By.ID, "input").get_property("value"))
@@ -119,11 +125,11 @@ class Page(NamedTuple):
         )
 
     def read(self, text: str) -> None:
-        """Types a text, and waits until its frame is made."""
+        """Types a text, and waits until it is read, and its frame is made."""
         self.type("")
         self.wait(lambda: self.text("frame") == "" and self.text("tree") == "")
         self.type(text)
-        self.wait(lambda: self.text("frame") or self.text("error"))
+        self.wait(lambda: self.is_read and (self.text("frame") or self.text("error")))
 
     def click(self, name: str) -> None:
         """Clicks an element, wherever it is on the page."""

@@ -31,12 +31,10 @@ const packed = async (text) => `#z=${await deflated(text)}`;
 /** @param {string} fragment */
 const isShort = (fragment) => location.href.split("#")[0].length + fragment.length <= MOST_LINK;
 
-/** The fragment for the address bar; empty for a text that is too long. @param {string} text */
-export const fragmentOf = async (text) => {
-  if (!text) return "";
-  if (text.length <= MOST_TEXT) return plain(text);
-  const found = await packed(text);
-  return isShort(found) ? found : "";
+/** The fragment for the address bar, of a short text at once; empty for a text that is too long. @param {string} text @returns {string | Promise<string>} */
+export const fragmentOf = (text) => {
+  if (text.length <= MOST_TEXT) return text && plain(text);
+  return packed(text).then((found) => (isShort(found) ? found : ""));
 };
 
 /** The shortest link to a text; null if there is none. @param {string} text */

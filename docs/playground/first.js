@@ -2,10 +2,11 @@
 // It reads one frame in hex and no more.
 
 import { decode } from "./ev3-decode.mjs";
+import { NOTHING } from "./places.js";
 import { bytesOf, partsOf, rowsOf } from "./rows.js";
 
 /** Returns the bytes of a text that is one frame in hex: a word, the lesson's bars, or pairs that cannot be decimal. @param {string} text */
-export const frameOf = (text) => {
+const frameOf = (text) => {
   const isWord = /^(?:[0-9a-f]{2}){5,}$/i.test(text), isBars = /^0x\|(?:[0-9a-f]{2}[:|])+$/i.test(text), isPairs = /^[0-9a-f]{2}(?:[ :][0-9a-f]{2}){4,}$/i.test(text) && /[a-f]/i.test(text);
   return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
 };
@@ -32,8 +33,7 @@ export const firstAnswer = (text) => {
   const lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
   const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
   return {
-    headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") },
-    error: "", count: 1, isProgram: false, made: { lesson: "" }, dialogues: 0, found: {}, findings: [],
-    lines, frames: { 0: message.hex }, rows: [], page: { first: 0, next: 0, begin: 1, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
+    ...NOTHING, headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") },
+    count: 1, lines, frames: { 0: message.hex }, page: { ...NOTHING.page, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
   };
 };

@@ -5,7 +5,7 @@ import { edit, replace } from "./editor.js";
 import { copy, find, make } from "./elements.js";
 import { EXAMPLES } from "./examples.js";
 import { keep, kept } from "./keeping.js";
-import { current, home, LITTLE, look } from "./reading.js";
+import { current, home, look } from "./reading.js";
 import { firstAnswer } from "./first.js";
 import { change, state } from "./state.js";
 import { onLine, view } from "./view.js";
@@ -43,11 +43,10 @@ input.addEventListener("input", changed);
 
 /** @param {string} text */
 const setAddress = async (text) => {
-  const fragment = text.length <= LITTLE ? fragmentOf(text) : null;
-  // A short text is in the address at once.
-  put(text && text.length <= LITTLE ? `#text=${encodeURIComponent(text)}` : "");
-  const found = await (fragment ?? fragmentOf(text));
-  if (found && input.value === text && !state().file) put(found);
+  const fragment = fragmentOf(text), isThere = typeof fragment === "string";
+  put(isThere ? fragment : "");
+  const found = await fragment;
+  if (!isThere && found && input.value === text && !state().file) put(found);
 };
 /** @param {string} fragment */
 const put = (fragment) => {

@@ -6,10 +6,10 @@ const LATE = 15_000;
 /** @param {string} url @param {string} what */
 const tellOf = (url, what) => {
   const file = url.slice(new URL(".", location.href).href.length);
-  const sentence = `${file} ${what}. Reload the page; if that does not help, its server lacks the file, or the network blocks it.`;
   const tell = () => {
     // Of a page that was opened as a file, the browser loads no module: that is said where nothing else is.
     if (document.body.dataset.lacks || location.protocol === "file:") return;
+    const sentence = `${file} ${what}. ${document.body.dataset.advice}`;
     for (const id of ["status", "late"]) /** @type {HTMLElement} */ (document.getElementById(id)).textContent = sentence;
     document.body.dataset.lacks = file;
   };

@@ -55,12 +55,10 @@ follow(() => {
   if (next instanceof HTMLElement) next.focus({ preventScroll: true });
 });
 
-const ADVICE = "Reload the page; if that does not help, its server lacks the file, or the network blocks it.";
-
 /** Takes what Python says by itself. @param {import("./python.js").Said} said */
 const hear = (said) => {
   if (said.status) change({ status: said.status });
-  else if (said.failed) change({ status: `Python cannot be loaded: ${said.failed}. ${ADVICE}` });
+  else if (said.failed) change({ status: `Python cannot be loaded: ${said.failed}. ${document.body.dataset.advice}` });
   else if (said.brick) {
     brick.take(said.brick);
     if (said.brick.talks) real.takeVirtual(said.brick.talks);

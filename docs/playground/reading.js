@@ -7,7 +7,7 @@ import { change, state } from "./state.js";
 /** @typedef {(answer: Answer, isMore: boolean, isWhole: boolean) => void} Show  `isMore`: of the same input as the one before */
 
 /** Characters or bytes that are read in one step, as a rule. */
-export const LITTLE = 4000;
+const LITTLE = 4000;
 /** Milliseconds: until a long text that is typed is read; until reading is said; until its progress is shown; that a step may take to end. */
 const PAUSE = 400, SOON = 300, LATE = 1000, STUCK = 1500;
 const READING = "Reading …";

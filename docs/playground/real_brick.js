@@ -3,6 +3,7 @@
 import { brickFiles } from "./brick_files.js";
 import { openBluetooth, openUsb, Refused } from "./carriers.js";
 import { filled, find, inside, make, remember, remembered, saveAs } from "./elements.js";
+import { bytesOf } from "./rows.js";
 import { change, follow, state } from "./state.js";
 
 /** What connects, by the button: what it needs of the browser. */
@@ -296,7 +297,7 @@ export const realBrick = (python) => {
   const carry = (hex) => {
     if (!wire || IS_FRAMED) return;
     python().ask("real", "sent", performance.now());
-    wire.send(Uint8Array.from(hex.match(/../g) ?? [], (each) => parseInt(each, 16)));
+    wire.send(Uint8Array.from(bytesOf(hex)));
   };
 
   showState();

@@ -24,7 +24,7 @@ const rounded = (value, digits) => {
   return Number(isExact && /[02468]\.?5$/.test(mantissa) ? `${mantissa.slice(0, -1)}e${exponent}` : value.toExponential(digits - 1));
 };
 /** Returns a single-precision float in as few digits as identify it: `7.92`. @param {number | string} value */
-export const shortFloat = (value) => {
+const shortFloat = (value) => {
   if (typeof value === "string") return value;
   const number = [6, 7, 8, 9].map((digits) => rounded(value, digits)).find((each) => Math.fround(each) === value) ?? value;
   const [digits = "", exponent] = number.toExponential().split("e"), power = Number(exponent);

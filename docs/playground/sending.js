@@ -3,6 +3,7 @@
 import { showEffect } from "./effect.js";
 import { find, saveAs } from "./elements.js";
 import { current, home } from "./reading.js";
+import { bytesOf } from "./rows.js";
 import { change, flash, state } from "./state.js";
 
 /**
@@ -29,8 +30,7 @@ find("download").onclick = async () => {
   await current();
   /** @type {{program: string | null}} */
   const { program } = await home().ask("to_send");
-  const bytes = Uint8Array.from(program?.match(/../g) ?? [], (each) => parseInt(each, 16));
-  saveAs("program.rbf", new Blob([bytes]));
+  saveAs("program.rbf", new Blob([Uint8Array.from(bytesOf(program ?? ""))]));
 };
 
 /** @param {string} error */

@@ -1,5 +1,7 @@
 // What the page knows, in one object. What elements show follows from it: they are drawn again when it changes.
 
+import { NOTHING } from "./places.js";
+
 /**
  * @typedef {object} State
  * @property {boolean} isReady  whether Python answers
@@ -28,7 +30,7 @@ let now = {
   status: "Loading …",
   error: "",
   note: "",
-  headline: { sentence: "", verdict: "", kind: "none", severity: "" },
+  headline: NOTHING.headline,
   about: "",
   byte: "",
   isProgram: false,

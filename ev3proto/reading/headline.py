@@ -40,7 +40,7 @@ class Headline(NamedTuple):
     read      the frames among which a filter chose; the bytes of a program
     exchange  its only message
     missing   bytes at the end of that message that the input has left out
-    worst     the report on the first of the worst frames, or on the program; None without findings
+    worst     the report on the first of the worst frames, or on the program; None if there is nothing to report
     place     of that frame; empty for a frame by itself
     """
 

@@ -20,8 +20,6 @@ from .rows import pieces
 MOST_FRAMES = 100
 """Maximum number of frames of each severity whose findings are shown."""
 
-_SEVERITIES = tuple(Severity)
-
 
 class Checked(NamedTuple):
     """A frame with findings.
@@ -61,9 +59,9 @@ class Findings:
         self._last = checked = Checked(number, place, line, report)
         self.checked += 1
         self.refused += not report.accepted
-        if report.accepted and not report.findings:
+        if not report.findings:
             return
-        worst = min((finding.severity for finding in report.findings), key=_SEVERITIES.index, default=Severity.ERROR)
+        worst = next(severity for severity in Severity if report.of(severity))
         if len(self._frames[worst]) < MOST_FRAMES:
             self._frames[worst].append(checked)
         else:

@@ -19,8 +19,6 @@ NONE, TAKES, REFUSES = "none", "takes", "refuses"
 _MOST_BYTES = 6
 """Maximum number of bytes that a button names."""
 
-_SEVERITIES = list(Severity)
-
 
 def headline(known: Headline) -> dict[str, str]:
     """Returns the headline, for JSON.
@@ -129,8 +127,8 @@ def _of_bare(known: Headline) -> Verdict:
 def _of_one(known: Headline) -> Verdict:
     report = known.worst
     if report is not None and not report.accepted:
-        because = f", because {_reason(report)}" if report.findings else ""
-        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {report.rejected_at or 0}{because}."
+        at = report.rejected_at or 0
+        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {at}, because {_reason(report)}."
     if report is None or not (severity := _worst(report)):
         return TAKES, "", "The brick takes it."
     return TAKES, severity, f"The brick takes it, but {_reason(report)}."
@@ -184,13 +182,12 @@ def _reason(report: Report) -> str:
     if len(meant) == 1:
         return meant[0].message
     stops = [each for each in report.findings if each.offset == report.rejected_at]
-    return min(stops or report.findings, key=lambda each: (_SEVERITIES.index(each.severity), each.offset)).message
+    return next(each for severity in Severity for each in stops or report.findings if each.severity is severity).message
 
 
 def _worst(report: Report) -> str:
     """Returns the worst severity; empty without a finding, and for hints."""
-    found = [each.severity for each in report.findings if each.severity is not Severity.HINT]
-    return min(found, key=_SEVERITIES.index, default="")
+    return next((severity for severity in (Severity.ERROR, Severity.WARNING) if report.of(severity)), "")
 
 
 # What was meant

@@ -59,7 +59,9 @@ def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[P
     found = []
     for number, frame in islice(sorted(wrong.items()), MOST_LINES):
         edited = fixed.text.split("\n")[number - 1]
-        of_line = {made: (kind, line) for kind, made, line in _of_line(lines[number - 1], frame)}
+        of_line: dict[bytes, tuple[str, str]] = {}
+        for kind, new, line in _of_line(lines[number - 1], frame):
+            of_line.setdefault(new, (kind, line))
         if (made := certain.get(number)) is not None and (made in of_line or not of_line):
             # In the notation of the line.
             of_line[made] = of_line[made][0] if of_line else _kind_of(frame or b""), edited
@@ -94,11 +96,8 @@ def _of_line(line: str, frame: bytes | None) -> Iterator[tuple[str, bytes, str]]
     """Yields what can be done about a line: the kind of each change, the frame, and the line that it makes."""
     for start in (0, *(each.end() for each in re.finditer(r"\s+", line))):
         text = line[start:]
-        if frame not in (None, _bytes_of(text)):
-            continue
-        if found := {made: kind for kind, made in reversed(list(_meant(text)))}:
-            for made, kind in reversed(found.items()):
-                yield kind, made, line[:start] + as_hex(parse(made))
+        if frame in (None, _bytes_of(text)) and (found := list(_meant(text))):
+            yield from ((kind, made, line[:start] + as_hex(parse(made))) for kind, made in found)
             return
 
 

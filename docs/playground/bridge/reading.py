@@ -303,7 +303,6 @@ class Input:
             (report,) = findings.programs
             return Headline(Subject.PROGRAM, self._objects, unread=unread, read=len(self.image), worst=report)
         worst = min(findings.frames, key=lambda each: each.report.accepted, default=None)
-        is_wrong = worst is not None and any(each.severity is not Severity.HINT for each in worst.report.findings)
         errors = findings.count(Severity.ERROR)
         return Headline(
             self._subject(),
@@ -316,8 +315,8 @@ class Input:
             self._seen,
             first.exchange if first is not None and count == 1 else None,
             first.missing if first is not None else 0,
-            worst.report if worst is not None and is_wrong else None,
-            worst.place.removeprefix(f"{self._name}, ") if worst is not None else "",
+            None if worst is None else worst.report,
+            "" if worst is None else worst.place.removeprefix(f"{self._name}, "),
         )
 
     def _subject(self) -> Subject:

@@ -67,7 +67,7 @@ const PREPARED = new Set(WARM_UP.map(([call]) => call));
 export const isPrepared = (call) => PREPARED.has(call);
 
 /**
- * Starts Python. Is rejected with a sentence if a file does not come that it needs.
+ * Starts Python. Is rejected with a sentence if a file is missing that it needs.
  *
  * @param {URL} site  the folder of the page
  * @param {boolean} saveData  whether fewer bytes are better than a quick start
@@ -90,11 +90,11 @@ export const start = async (site, saveData, tell) => {
       return startPlain(loadPyodide, loads, site);
     }
   };
-  // Pyodide waits for ever for a file that does not come.
+  // Pyodide waits forever for a missing file.
   return Promise.race([lackOf(loads, site), begin()]);
 };
 
-/** Has Pyodide load its files so that they are counted. Is rejected if one of them does not come. @param {Loads} loads @param {URL} site @returns {Promise<never>} */
+/** Has Pyodide load its files so that they are counted. Is rejected if one of them is missing. @param {Loads} loads @param {URL} site @returns {Promise<never>} */
 const lackOf = (loads, site) => new Promise((_, reject) => {
   globalThis.fetch = async (/** @type {any} */ url) => {
     const file = String(url).slice(site.href.length);

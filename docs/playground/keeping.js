@@ -5,7 +5,7 @@ import { change } from "./state.js";
 
 /** What is kept is one string: the name of a file, a line feed, and its bytes, deflated; or no name, and the text. */
 const KEY = "input";
-const KEPT = "This browser keeps the input for this tab: it is there again after a reload.";
+const KEPT = "This browser keeps the input for this tab: a reload does not lose it.";
 
 /** Counts what was to be kept: packing a file takes a while. */
 let turn = 0;
@@ -20,7 +20,7 @@ export const keep = async (input) => {
     if (size) sessionStorage.setItem(KEY, packed);
     change({ kept: size ? KEPT : "" });
   } catch {
-    if (mine === turn) change({ kept: `The input is too large to be kept (${(size / 1e6).toFixed(1)} MB): after a reload it is gone.` });
+    if (mine === turn) change({ kept: `The input is too large to be kept (${(size / 1e6).toFixed(1)} MB): a reload loses it.` });
   }
 };
 

@@ -1,20 +1,20 @@
-// What the start loads: each file is counted as it comes, and one that does not come is named.
+// What the start loads: the bytes of each file are counted, and a file that cannot be loaded is named.
 
-/** @typedef {{missing: number, file: string}} Progress  bytes that are still to come, and a file that is waited for; empty for none */
-/** @typedef {{answer: Response, whole: Promise<void>}} Load  `whole` is rejected if the end of the file does not come */
+/** @typedef {{missing: number, file: string}} Progress  bytes that are left, and a file that is pending; empty for none */
+/** @typedef {{answer: Response, whole: Promise<void>}} Load  `whole` is rejected if the end of the file is missing */
 
 const plainFetch = globalThis.fetch;
 
-/** A file that does not come. */
+/** A file that cannot be loaded. */
 export class Lack extends Error {
   /** @param {string} file @param {Response | null} [answer] */
   constructor(file, answer = null) {
-    super(`${file} does not come${answer ? ` (${answer.status} ${answer.statusText})` : ""}`);
+    super(`${file} is missing${answer ? ` (${answer.status} ${answer.statusText})` : ""}`);
   }
 }
 
 export class Loads {
-  /** The bytes of each file that are still to come. @type {Map<string, number>} */
+  /** The bytes of each file that are left. @type {Map<string, number>} */
   #left = new Map();
   #site;
   #sizes;

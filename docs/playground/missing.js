@@ -1,4 +1,4 @@
-// Says which file of the page itself does not come. A classic script: modules start only when all of them are there.
+// Says which file of the page itself is missing. A classic script: modules start only when all of them are there.
 
 /** Milliseconds after which a file is said to be late. */
 const LATE = 15_000;
@@ -21,9 +21,9 @@ const files = () => [...document.querySelectorAll("link[href]:not([rel=icon]), s
 
 addEventListener("error", ({ target }) => {
   const url = target instanceof HTMLLinkElement ? target.href : target instanceof HTMLScriptElement ? target.src : "";
-  if (files().includes(url)) tellOf(url, "does not come");
+  if (files().includes(url)) tellOf(url, "is missing");
 }, true);
 setTimeout(() => {
   const there = new Set(performance.getEntriesByType("resource").map(({ name }) => name)), late = files().find((each) => !there.has(each));
-  if (late && !document.body.dataset.begun) tellOf(late, "has not come for 15 seconds; it is still waited for");
+  if (late && !document.body.dataset.begun) tellOf(late, "has not arrived after 15 seconds");
 }, LATE);

@@ -35,7 +35,7 @@ export class Python {
     this.#worker.onerror = async ({ message }) => {
       clearTimeout(this.#timer);
       const found = await Promise.all(SCRIPTS.map(isThere));
-      hear({ failed: message || `${SCRIPTS[found.indexOf(false)] ?? "worker.js"} does not come` });
+      hear({ failed: message || `${SCRIPTS[found.indexOf(false)] ?? "worker.js"} is missing` });
     };
     this.#watch({ missing: 0, file: "worker.js" });
     this.#worker.onmessage = ({ data }) => {
@@ -53,11 +53,11 @@ export class Python {
     };
   }
 
-  /** Says how far the start is, and if nothing more comes, what is waited for. @param {import("./loads.js").Progress} progress */
+  /** Says how far the start is, and after a while without data, which file is pending. @param {import("./loads.js").Progress} progress */
   #watch({ missing, file }) {
     clearTimeout(this.#timer);
-    this.#hear({ status: missing ? `Loading Python: ${(missing / 1e6).toFixed(1)} MB to come …` : "Starting Python …" });
-    const late = `Nothing has come for 15 seconds; ${file} is still waited for. Is the network there, and does it let this file through?`;
+    this.#hear({ status: missing ? `Loading Python: ${(missing / 1e6).toFixed(1)} MB left …` : "Starting Python …" });
+    const late = `Still waiting for ${file} after 15 seconds without data. Is the network up, and does it let this file through?`;
     if (file) this.#timer = setTimeout(() => this.#hear({ status: late }), PATIENCE);
   }
 

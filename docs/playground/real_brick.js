@@ -14,7 +14,7 @@ const CONNECT = Object.entries({
 const LACKS = CONNECT.filter(([, { carrier }]) => !carrier).map(([, { lack }]) => ` ${lack}`);
 const NONE = `Not connected to a real brick: what you send goes to the virtual one.${LACKS.join("")}`;
 const MOST_TALKS = 20;
-const ELSEWHERE = "This browser reaches no real brick, as it has neither WebHID nor Web Serial, which Chrome, Edge and Opera on a computer or a"
+const ELSEWHERE = "This browser cannot reach a real brick: it has neither WebHID nor Web Serial, which Chrome, Edge and Opera on a computer or a"
   + " Chromebook have on pages with https or from localhost.";
 const SNAP = " If no brick is listed on Linux: Chromium as a snap cannot reach USB.";
 const CAPTURE = "./conformance.pcapng";
@@ -25,7 +25,7 @@ const QUIET = "quiet";
 
 // Another page may have the right to reach bricks given to it, and could lead clicks to this one.
 const IS_FRAMED = window.top !== window.self;
-const FRAMED = "This page is in a frame of another page, so it connects to no real brick and sends nothing to one. Open it in a tab of its own.";
+const FRAMED = "This page is in a frame of another page, so it does not connect to a real brick. Open it in a tab of its own.";
 
 /** @typedef {import("./carriers.js").Wire} Wire */
 /** @typedef {import("./elements.js").Piece} Piece */
@@ -52,7 +52,7 @@ const FRAMED = "This page is in a frame of another page, so it connects to no re
  * @property {() => void} drop
  */
 
-/** Returns why this page reaches no real brick; empty if it may. */
+/** Returns why this page cannot reach a real brick; empty if it may. */
 const whyNone = () => {
   if (IS_FRAMED) return FRAMED;
   return navigator.hid || navigator.serial ? "" : ELSEWHERE;

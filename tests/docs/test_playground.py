@@ -638,7 +638,7 @@ def test_the_input_outlives_a_reload(page: Page) -> None:
     # A text that is too long for the address, and a capture.
     long = f"# {random.Random(1).randbytes(8000).hex()}\n{BATTERY}"
     page.type(long)
-    page.wait(lambda: "there again after a reload" in page.text("kept"))
+    page.wait(lambda: "a reload does not lose it" in page.text("kept"))
     assert "#" not in page.browser.current_url
     reload("UI_READ.GET_VBATT")
     assert page.input == long
@@ -860,7 +860,7 @@ def test_in_a_frame_of_another_page_no_brick_is_reached(page: Page) -> None:
         for carrier in ("usb", "bluetooth"):
             page.run("document.getElementById(arguments[0]).click()", f"connect-{carrier}")
             page.wait(lambda: not page.run("return document.getElementById('connect-usb').disabled"))
-            assert "connects to no real brick" in page.text("brick-status")
+            assert "does not connect to a real brick" in page.text("brick-status")
             assert page.connection == "none"
         assert (page.fact("requests"), page.fact("sent")) == (0, [])
     finally:
@@ -1101,7 +1101,7 @@ def test_a_browser_without_usb_and_bluetooth(page: Page) -> None:
     page.wait(lambda: "neither WebHID nor Web Serial" in page.text("brick-status"))
     # Without them from the start there is nothing to click, and one sentence: Safari has neither, Firefox no WebHID.
     for lacking, shown, said in (
-        (["hid", "serial"], [False, False], "as it has neither WebHID nor Web Serial"),
+        (["hid", "serial"], [False, False], "it has neither WebHID nor Web Serial"),
         (["hid"], [False, True], "This browser has no WebHID, which USB needs."),
     ):
         script = f"for (const name of {lacking}) Object.defineProperty(navigator, name, {{value: undefined}})"

@@ -1,4 +1,4 @@
-"""How the playground starts: what is seen first, what is loaded, and what is said where something does not come."""
+"""How the playground starts: what is seen first, what is loaded, and what is said where a file is missing."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ MISSING = """
     const there = performance.getEntriesByType('resource').map(({ name }) => name);
     const files = [...document.querySelectorAll('link[href]:not([rel=icon]), script[src]')];
     return files.map((each) => each.href ?? each.src).filter((each) => !there.includes(each))"""
-"""The files of the page in a frame that have not come."""
+"""The files of the page in a frame that have not arrived."""
 
 
 class Line:
     """What happens to files on their way.
 
     lacking  those that are not there
-    held     those that are waited for, as long as they are here
+    held     those that are on their way as long as they are here
     slow     the seconds that a file takes after its first bytes
     instead  other bytes of a file
     """
@@ -185,13 +185,13 @@ def test_frames_look_the_same_before_python_is_there_and_after(visitor: tuple[Pa
         page.wait(partial(has_contents, page, shown))
 
 
-# What does not come
+# Missing files
 
 SCRIPTS = ("worker.js", "boot.js", "loads.js")
 PYODIDE = tuple(f"pyodide/pyodide.{name}" for name in ("mjs", "asm.js", "asm.wasm"))
 
 
-def test_each_file_that_does_not_come_is_named(visitor: tuple[Page, Line], built: Path) -> None:
+def test_each_missing_file_is_named(visitor: tuple[Page, Line], built: Path) -> None:
     page, line = visitor
     index = (built / "playground" / "index.html").read_text(encoding="utf-8")
     own = re.findall(r'(?:href|src)="([\w-]+\.(?:css|m?js))"', index)
@@ -200,20 +200,20 @@ def test_each_file_that_does_not_come_is_named(visitor: tuple[Page, Line], built
     for name in own:
         line.lacking = {name}
         page.open(fragment(TONE), wait=False)
-        page.wait(partial(says, page, "late", f"{name} does not come. Reload the page"))
+        page.wait(partial(says, page, "late", f"{name} is missing. Reload the page"))
         assert page.is_shown("late")
         assert name.endswith(".css") or page.text("status") == page.text("late")
     for name in (*SCRIPTS, *PYODIDE):
         line.lacking = {name}
         page.open(fragment(TONE), wait=False)
-        page.wait(partial(says, page, "status", f"Python cannot be loaded: {name} does not come"))
+        page.wait(partial(says, page, "status", f"Python cannot be loaded: {name} is missing"))
         # What needs no Python is there all the same.
         assert page.input == TONE
         assert "SOUND.TONE" in page.text("tree")
     # Without the snapshot, Python needs its modules.
     line.lacking = {"snapshot.bin", "snapshot_brotli.bin", "python.zip"}
     page.open(fragment(TONE), wait=False)
-    page.wait(lambda: "python.zip does not come (404" in page.text("status"))
+    page.wait(lambda: "python.zip is missing (404" in page.text("status"))
 
 
 def test_a_file_that_is_late_is_named_and_may_still_come(visitor: tuple[Page, Line]) -> None:
@@ -223,7 +223,7 @@ def test_a_file_that_is_late_is_named_and_may_still_come(visitor: tuple[Page, Li
             line.lacking, line.held = set(), {name}
             page.open(fragment(TONE), wait=False)
             page.run("areOver = true")
-            page.wait(partial(says, page, "status", f"Nothing has come for 15 seconds; {name} is still waited for"))
+            page.wait(partial(says, page, "status", f"Still waiting for {name} after 15 seconds"))
             line.held = set()
             page.wait(lambda: page.is_ready and page.text("status") == "")
         # The driver waits for a page as a whole, but not for one inside another.
@@ -235,7 +235,7 @@ def test_a_file_that_is_late_is_named_and_may_still_come(visitor: tuple[Page, Li
         page.wait(lambda: [each.rpartition("/")[2] for each in page.run(MISSING)] == ["view.js"])
         page.run("frames[0].areOver = true")
         said = "return frames[0].document.getElementById('status').textContent"
-        page.wait(lambda: str(page.run(said)).startswith("view.js has not come for 15 seconds"))
+        page.wait(lambda: str(page.run(said)).startswith("view.js has not arrived after 15 seconds"))
         line.held = set()
         page.wait(lambda: page.run("return frames[0].document.body.dataset.begun"))
 
@@ -252,7 +252,7 @@ def test_all_that_is_loaded_is_counted(visitor: tuple[Page, Line]) -> None:
     with before_the_page(page.browser, watch):
         page.open()
     said: list[str] = page.run("return said")
-    left = [float(found[1]) for each in said if (found := re.match(r"Loading Python: ([\d.]+) MB to come", each))]
+    left = [float(found[1]) for each in said if (found := re.match(r"Loading Python: ([\d.]+) MB left", each))]
     assert left == sorted(left, reverse=True)
     assert left[0] > 14
     assert left[-1] < 3, left

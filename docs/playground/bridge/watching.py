@@ -16,6 +16,7 @@ from ev3proto.ops import input_readsi
 from ev3proto.schema.header import Header, build_frame
 from ev3proto.tables.devices import DEVICE_TYPES, NO_DEVICE
 from ev3proto.tables.input import MOTOR_PORTS, SENSOR_PORTS
+from ev3proto.tables.ports import MotorPort
 
 from .connection import Connection
 
@@ -26,7 +27,7 @@ DIALECT = "official"
 
 _NO_CHANGE = -1
 _PORTS = (*SENSOR_PORTS, *MOTOR_PORTS)
-_PORT_NAMES = (*(str(port + 1) for port in SENSOR_PORTS), *(chr(ord("A") + number) for number in range(4)))
+_PORT_NAMES = (*(str(port + 1) for port in SENSOR_PORTS), *MotorPort.__members__)
 _TYPES_AND_MODES = Question(
     questions.SENSORS.operations, lambda values: list(zip(map(int, values[::2]), map(int, values[1::2]), strict=True))
 )

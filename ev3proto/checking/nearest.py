@@ -213,7 +213,7 @@ class _Search:
     def _right(self, doubt: float) -> list[_Judged]:
         """Returns the right candidates, the best first, for a frame that costs as much as it is in doubt."""
         right = [one for one in self._best(self._frame) if one.is_right]
-        is_found = bool(right) and right[0].doubt <= _MOST_OF_FIRST and _kind(right[0]) not in HABITS
+        is_found = bool(right) and right[0].doubt <= _MOST_OF_FIRST and right[0].candidate.edits[0].kind not in HABITS
         if doubt < _MOST_OF_FIRST or is_found:
             return right
         habits = list(self._habits())
@@ -223,7 +223,7 @@ class _Search:
 
     def _costs(self, frame: bytes, report: Report) -> tuple[float, float]:
         """Returns the costs of a frame: of its operations themselves, and the worse of its values and its findings."""
-        weight = sum([_weight(finding.code, frame) for finding in report.findings])
+        weight = sum([_weight(finding.code) for finding in report.findings])
         if not (report.accepted or _is_reply(frame) or any(one.code in _NO_SLIPS for one in report.errors)):
             weight += _REFUSED
         if len(frame) <= COMMAND_HEADER_SIZE or frame[TYPE_AT] not in DIRECT:
@@ -412,10 +412,9 @@ class _Search:
                 yield _Candidate((edit,), price, sum(costs[:number]) + cost, new)
 
 
-def _weight(code: str, frame: bytes) -> float:
+def _weight(code: str) -> float:
     """Returns the cost of a finding."""
-    weight = next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
-    return 2 * weight if code == "H401" and read_memory(frame)[0] > 255 else weight
+    return next(_WEIGHTS[key] for key in (code, code[:2], code[0]) if key in _WEIGHTS)
 
 
 def _is_reply(frame: bytes) -> bool:
@@ -432,10 +431,6 @@ def _told(right: list[_Judged]) -> tuple[Suggestion, ...]:
     others = [one for one in right if one.cost <= best.cost + _TIE and _place(one) != _place(best)]
     is_clear = all(one.cost > best.cost + _CLEAR for one in right[1:])
     return tuple(_suggestion(one, is_clear=is_clear) for one in (best, *others[:1]))
-
-
-def _kind(one: _Judged) -> str:
-    return one.candidate.edits[0].kind
 
 
 def _once(one: _Judged, habits: list[_Judged]) -> _Judged:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import groupby
 
 from ev3proto.checking import codes
@@ -94,11 +95,19 @@ def _beyond(operation: CheckedOperation, place: Footprint, asked: int) -> Findin
     return operation.finding_of(code, place.argument, **parts)
 
 
+def _identity(use: Use) -> tuple[object, ...]:
+    """Returns the key that variables with the same finding share."""
+    operation, place = use
+    return operation.name, place.number, place.argument.form, place.start, place.size, place.most
+
+
 def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     """Yields findings about results that overwrite each other; `is_kept`: a reply carries the final contents."""
     # The user of each byte, in slices: arrays may take a thousand bytes each.
     size = min(max(place.end for _, place in used), MAX_FRAME)
-    results: list[Use | None] = [None] * size
+    results: list[tuple[tuple[object, ...], Use] | None] = [None] * size
+    # The same mistake may occur a thousand times, so its finding is made once.
+    said: dict[tuple[tuple[object, ...], ...], Finding | None] = {}
     for _, group in groupby(used, lambda use: use[0].start):
         together = list(group)
         # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
@@ -118,11 +127,15 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
             if not place.facts.is_written:
                 continue
             start, end = place.start, min(place.end, size)
-            before = next(filter(None, results[start:end]), None)
-            finding = _destroyed(before, use, is_kept) if before is not None else None
-            if finding is not None:
-                yield finding
-            results[start:end] = [use] * (end - start)
+            key, before = _identity(use), next(filter(None, results[start:end]), None)
+            if before is not None:
+                both = before[0], key
+                if both not in said:
+                    said[both] = _destroyed(before[1], use, is_kept)
+                finding = said[both]
+                if finding is not None:
+                    yield replace(finding, offset=place.argument.offset)
+            results[start:end] = [(key, use)] * (end - start)
 
 
 def _destroyed(before: Use, use: Use, is_kept: bool) -> Finding | None:

@@ -215,11 +215,15 @@ def test_a_program_report_as_text_is_what_the_command_prints(tmp_path: Path) -> 
 
 @st.composite
 def with_a_fault(draw: st.DrawFn) -> bytes:
-    """A careful frame with a few changed bytes; its length field may be too large, but not too small."""
+    """A careful frame with a few changed bytes; its length field may be too large, but not too small.
+
+    With another type and another length, the command may take it for operations without a header.
+    """
     frame = bytearray(draw(careful_frames()))
+    kind = frame[4]
     for _ in range(draw(st.integers(0, 3))):
         frame[draw(st.integers(4, len(frame) - 1))] = draw(st.integers(0, 255))
-    if draw(st.booleans()):
+    if frame[4] == kind and draw(st.booleans()):
         del frame[draw(st.integers(max(7, len(frame) - 3), len(frame))) :]
     return bytes(frame)
 

@@ -32,7 +32,6 @@ PARAMETER_WORDS: dict[str, tuple[Direction, Type]] = {
 """The keywords that declare a parameter of a subcall. LEGO's assembler lacks those of handles."""
 
 SIZED_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is STRING)
-HANDLE_PARAMETERS = tuple(word for word, (_, kind) in PARAMETER_WORDS.items() if kind is HANDLE)
 
 OLD_WORDS = ("global", "local")
 """Keywords of LEGO's assembler that declare a number of bytes."""

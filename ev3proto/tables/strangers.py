@@ -102,7 +102,7 @@ HUB = {
 class StrangeLine(NamedTuple):
     """A line of text that people paste as if it had a frame.
 
-    Example:
+    example  one of them
     mark     a part of every such line, which is looked for first
     pattern  what else it has
     says     what it is

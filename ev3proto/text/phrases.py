@@ -199,21 +199,24 @@ def heading(exchange: Exchange, seen: Seen) -> Spans:
 
 def _what(exchange: Exchange) -> Spans:
     message = exchange.message
-    line: Spans = []
+    line = _command_and_status(message)
+    if exchange.is_orphan:
+        is_refused = isinstance(message, DirectReply) and message.type is not None and message.type.is_error
+        line.append((ORPHANED_ERROR if is_refused else ORPHANED, Role.ASIDE))
+    return line
+
+
+def _command_and_status(message: Message) -> Spans:
     if lacks_status(message):
-        line.append((": no status", Role.FAULT))
-    elif isinstance(message, SystemCommand | SystemReply | DaisyCommand):
-        line += [(": ", Role.PLAIN), (command_name(message), Role.OPERATION)]
+        return [(": no status", Role.FAULT)]
+    if isinstance(message, SystemCommand | SystemReply | DaisyCommand):
+        line: Spans = [(": ", Role.PLAIN), (command_name(message), Role.OPERATION)]
         if isinstance(message, SystemReply):
             line.append((f" {status_name(message)}", Role.FAULT if message.is_error else Role.VALUE))
-    elif isinstance(message, DirectReply | DaisyReply) and message.type is not None:
-        line.append(
-            (": error" if message.type.is_error else ": ok", Role.FAULT if message.type.is_error else Role.VALUE)
-        )
-    if exchange.is_orphan:
-        refused = isinstance(message, DirectReply) and message.type is not None and message.type.is_error
-        line.append((ORPHANED_ERROR if refused else ORPHANED, Role.ASIDE))
-    return line
+        return line
+    if isinstance(message, DirectReply | DaisyReply) and message.type is not None:
+        return [(": error", Role.FAULT) if message.type.is_error else (": ok", Role.VALUE)]
+    return []
 
 
 ORPHANED = " (the command it answers was not seen)"

@@ -305,7 +305,12 @@ def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
         if kind in (LOCAL, GLOBAL):
             return schema.write((GV if kind == GLOBAL else LV)(_whole(argument, "value", 0xFFFFFFFF), **marks))
         return schema.write(value)
-    encoding = _text(argument, "encoding")
+    encoded = _encoded(value, kind, _text(argument, "encoding"), schema)
+    return with_bits(encoded, **marks) if any(marks.values()) else encoded
+
+
+def _encoded(value: float | str, kind: Any, encoding: str, schema: ArgumentSchema) -> bytes:
+    """Returns the bytes of a value in the encoding that its object names."""
     if (kind == TEXT) != isinstance(value, str) and value not in _FLOATS:
         raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}, which is not a {kind}")
     if kind == CONSTANT and value in _FLOATS:
@@ -313,10 +318,8 @@ def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
     # A float is four bytes, and other programs write 1 for 1.0.
     is_float = schema.parameter.type is Type.DATAF and kind == CONSTANT and encoding == _OF_FLOATS
     if isinstance(value, float) or is_float:
-        encoded = encode_float(float(value), schema.parameter.name)
-    else:
-        encoded = encode_as(encoding, value)
-    return with_bits(encoded, **marks) if any(marks.values()) else encoded
+        return encode_float(float(value), schema.parameter.name)
+    return encode_as(encoding, value)
 
 
 # Keys

@@ -11,7 +11,8 @@ import math
 import re
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -44,7 +45,6 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
-from ev3proto.brick.steps import Steps, finish
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.errors import as_bytes
@@ -79,10 +79,6 @@ _MOST_SECONDS = 10**12
 """The longest step of the clock, 31,700 years: infinity would never end."""
 
 
-def _no_steps() -> Steps[None]:
-    yield
-
-
 class Addressed(NamedTuple):
     """A waiting frame or a reply, with its connection."""
 
@@ -95,7 +91,7 @@ class Brick:
 
     root     the folder that serves as /home/root/lms2012; None for no files
     dialect  the firmware whose instruction set it has. ValueError for an unknown one.
-    stretch  CPU seconds of this computer after which a call returns even if a direct command is still running; the
+    stretch  CPU seconds of this computer after which a call returns, between two operations of a direct command; the
              next call continues it. None: a call returns when the command ends or waits
 
     `has_ended_command`: a limit has ended a direct command.
@@ -116,8 +112,6 @@ class Brick:
         self._waiting_bytes = 0
         self._replies: list[Addressed] = []
         self._command: _Command | None = None
-        self._long: deque[_Command] = deque()
-        self._has_worked = False
         self._stretch = math.inf if stretch is None else min(stretch, _MOST_SECONDS)
         self._deadline = math.inf
         self._system = SystemCommands(self.equipment, self.machine)
@@ -219,7 +213,7 @@ class Brick:
         """
         project = f"../prjs/{re.sub(r'[^A-Za-z0-9_-]', '_', name)[:_MOST_NAME] or 'program'}/"
         self.equipment.files.make_folder(project.rstrip("/").encode())
-        if not finish(self.machine.start_program(slot, Image(image, project))):
+        if not self.machine.start_program(slot, Image(image, project)):
             return None
         return self.machine.program_in(slot)
 
@@ -301,8 +295,7 @@ class Brick:
     @property
     def waits_for(self) -> str:
         """What the direct command in progress waits for in vain, such as a motor that is not plugged in, in words."""
-        program = None if self._command is None else self._command.program
-        return "" if program is None else program.waits_for
+        return "" if self._command is None else self._command.program.waits_for
 
     @property
     def spent(self) -> float:
@@ -312,15 +305,11 @@ class Brick:
     @property
     def is_computing(self) -> bool:
         """Whether a command is ready to continue."""
-        return self._is_computing or bool(self._long)
-
-    def is_working_for(self, channel: Hashable) -> bool:
-        """Whether an operation or system command of a connection takes long; others are served meanwhile."""
-        return any(command.channel == channel for command in self._long)
+        return self._is_computing
 
     def end_command(self) -> list[Addressed]:
         """Ends the direct command in progress as failed. Returns the replies that became due."""
-        if self._command is not None and self._command.program is not None:
+        if self._command is not None:
             self.machine.end_program(self._command.program, FAIL)
         self._serve()
         return self._take()
@@ -333,15 +322,13 @@ class Brick:
         self._waiting = deque(waiting for waiting in self._waiting if waiting.channel != channel)
         self._waiting_bytes = sum(len(waiting.frame) for waiting in self._waiting)
         self._system.disconnect(channel)
-        for command in (self._command, *self._long):
-            if command is not None and command.channel == channel:
-                command.wants_reply, command.is_gone = False, True
+        if self._command is not None and self._command.channel == channel:
+            self._command.wants_reply = False
         self._serve()
         return self._take()
 
     def _begin_stretch(self) -> None:
         self._deadline = thread_time() + self._stretch
-        self._has_worked = False
 
     def _take(self) -> list[Addressed]:
         replies, self._replies = self._replies, []
@@ -353,18 +340,13 @@ class Brick:
             pass
 
     def _begin_next(self) -> bool:
-        """Takes up the next frame, or a command that takes long. Returns False if there is none, or no time."""
-        for number, (channel, frame) in enumerate(self._waiting):
-            if not self.is_working_for(channel):
-                del self._waiting[number]
-                self._waiting_bytes -= len(frame)
-                if not self.equipment.is_dead:
-                    self._take_up(channel, frame)
-                return True
-        if not self._long or (self._has_worked and thread_time() > self._deadline):
+        """Takes up the next frame. Returns False if there is none."""
+        if not self._waiting:
             return False
-        self._has_worked = True
-        self._command = self._long.popleft()
+        channel, frame = self._waiting.popleft()
+        self._waiting_bytes -= len(frame)
+        if not self.equipment.is_dead:
+            self._take_up(channel, frame)
         return True
 
     def _take_up(self, channel: Hashable, frame: bytes) -> None:
@@ -402,15 +384,10 @@ class Brick:
         self._command = command
 
     def _continue(self) -> bool:
-        """Executes the command in progress until it ends, waits or takes too long.
-
-        Returns whether others are served next: it has ended, or one of its operations takes long.
-        """
+        """Executes the command in progress until it ends, waits or takes too long. Returns whether it has ended."""
         command = self._command
         assert command is not None
         program = command.program
-        if program is None:
-            return self._continue_system(command)
         self.machine.slots[CMD_SLOT] = program
         now = thread_time()
         has_waited = False
@@ -428,10 +405,6 @@ class Brick:
                 command.spent += now - begun
             if program.status != RUNNING:
                 break
-            if now > self._deadline and program.is_working:
-                self._command, self._is_computing = None, False
-                self._long.append(command)
-                return True
             if now > self._deadline or (is_waiting and has_waited):
                 self._is_computing = not is_waiting
                 return False
@@ -459,35 +432,16 @@ class Brick:
     # System commands
 
     def _take_system(self, channel: Hashable, frame: bytes, counter: int, wants_reply: bool) -> None:
-        self._command = _Command(channel, counter, wants_reply, None, steps=self._system.answer(channel, frame))
-        self._command.number = frame[HEADER_SIZE : HEADER_SIZE + 1]
-
-    def _continue_system(self, command: _Command) -> bool:
-        """Does the steps of a system command; the others are served when it takes long."""
-        self._command = None
-        failed = True, command.number + bytes((SystemStatus.UNKNOWN_ERROR,))
+        found: tuple[bool, bytes] | None
+        found = True, frame[HEADER_SIZE : HEADER_SIZE + 1] + bytes((SystemStatus.UNKNOWN_ERROR,))
         try:
-            while True:
-                next(command.steps)
-                if thread_time() > self._deadline:
-                    self._long.append(command)
-                    return True
-        except StopIteration as end:
-            self._end_system(command, end.value)
-        except OSError:
-            self._end_system(command, failed)
-        except Exception:
-            self._end_system(command, failed)
-            raise
-        return True
-
-    def _end_system(self, command: _Command, found: tuple[bool, bytes] | None) -> None:
-        if found is not None and command.wants_reply:
-            is_error, contents = found
-            kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
-            self._reply(command.channel, command.counter, kind, contents)
-        if command.is_gone:
-            self._system.disconnect(command.channel)
+            with suppress(OSError):  # such as a full disk
+                found = self._system.answer(channel, frame)
+        finally:
+            if found is not None and wants_reply:
+                is_error, contents = found
+                kind = MessageType.SYSTEM_REPLY_ERROR if is_error else MessageType.SYSTEM_REPLY
+                self._reply(channel, counter, kind, contents)
 
     # Time and programs
 
@@ -519,15 +473,12 @@ class Brick:
 
 @dataclass
 class _Command:
-    """A command in progress."""
+    """A direct command in progress."""
 
     channel: Hashable
     counter: int
     wants_reply: bool
-    program: Program | None  # of a direct command; None for a system command
-    global_size: int = 0
+    program: Program
+    global_size: int
     executed: int = 0  # operations so far, without those that waited
     spent: float = 0.0  # CPU seconds of this computer that it has computed
-    steps: Steps[tuple[bool, bytes] | None] = field(default_factory=_no_steps)  # the rest of a system command
-    number: bytes = b""  # of a system command
-    is_gone: bool = False  # whether its connection has ended

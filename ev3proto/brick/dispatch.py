@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cache
-from inspect import isgeneratorfunction
 from typing import Any
 
 import ev3proto.brick.operations  # noqa: F401 - registers the handlers
+from ev3proto.brick.exits import NoOperation
 from ev3proto.brick.handlers import HANDLERS, UNKNOWN_COMMANDS, Dispatch, DispatchEntry, Family, Function, Handler
 from ev3proto.brick.locations import WRITERS
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.without_effect import fail
-from ev3proto.brick.steps import NoOperation
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Declaration, Direction, Parameter, Type
 
@@ -48,8 +47,7 @@ def _entry(declaration: Declaration) -> DispatchEntry:
     handler = HANDLERS.get(declaration.name)
     if handler is None:
         return DispatchEntry(fail, None)
-    function = _in_steps(handler.function) if isgeneratorfunction(handler.function) else handler.function
-    function = _computing(declaration, function) if handler.computes else function
+    function = _computing(declaration, handler.function) if handler.computes else handler.function
     is_quick = all(parameter.type.size for parameter in declaration.parameters) and declaration.tail is None
     return DispatchEntry(function, None if handler.raw else _readers(declaration, handler), is_quick)
 
@@ -67,15 +65,6 @@ def _computing(declaration: Declaration, function: Function) -> Function:
                 write(place, value)
 
     return compute
-
-
-def _in_steps(function: Function) -> Function:
-    """Returns a handler that does the steps of a generator."""
-
-    def work(vm: Machine, *parameters: Any) -> None:
-        vm.work(function(vm, *parameters))
-
-    return work
 
 
 def _readers(declaration: Declaration, handler: Handler) -> tuple[Reader, ...]:

@@ -23,8 +23,7 @@ written to the outputs. One line registers it:
 
     computes({"STRINGS.COMPARE": lambda vm, first, second: first == second})
 
-A handler whose work may take more than some milliseconds is a generator, and yields after each part of it: so others
-are served meanwhile. `tests/brick/test_brick_budgets.py` runs each with the greatest arguments.
+Others wait while a handler works. `tests/brick/test_brick_budgets.py` runs each with the greatest arguments.
 
 A handler raises `Busy` to be called again at the program's next turn, with its parameters read anew, and `Failure`
 to end the program (a direct command is answered with DIRECT_REPLY_ERROR). `vm.brick` is the brick with display,

@@ -8,13 +8,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ev3proto.bounded import Bounded
-from ev3proto.brick.running_programs import RUNNING, STEP, Program, ProgramObject
-from ev3proto.brick.steps import Steps
+from ev3proto.brick.running_programs import RUNNING, Program, ProgramObject
 from ev3proto.errors import DecodeError
 from ev3proto.program import ProgramParameter
 from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER, PACKED_OBJECT
 from ev3proto.program.parameters import read_table
-from ev3proto.program.walk import walking
+from ev3proto.program.walk import walk
 from ev3proto.tables.memory import ARRAY_ROOM
 from ev3proto.tables.program import MAX_IMAGE, SIGN, ObjectKind, kind_of
 
@@ -58,7 +57,7 @@ class Images:
         return self._images.get(address)
 
 
-def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program | None]:
+def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
     """Makes a program of an image, with its first object ready to run; None if the image is damaged or too large."""
     data = image.data
     if not data.startswith(SIGN) or not IMAGE_HEADER_SIZE <= len(data) <= MAX_IMAGE:
@@ -66,7 +65,7 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program |
     _, _, count, global_size = PACKED_HEADER.unpack_from(data, len(SIGN))
     if IMAGE_HEADER_SIZE + count * OBJECT_HEADER_SIZE > len(data):
         return None
-    found = yield from walking(data, dialect)
+    found = walk(data, dialect)
     if not found.accepted:
         return None
     objects: dict[int, ProgramObject] = {}
@@ -86,8 +85,6 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program |
         )
         if kind is ObjectKind.BLOCK:
             owners[number] = owner
-        if number % STEP == 0:
-            yield
     for number, owner in owners.items():
         if owner in objects:
             # A block runs in the memory of its owner.
@@ -95,7 +92,7 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program |
     for entry in objects.values():
         entry.reset()
     objects[1].status = RUNNING
-    program = Program(
+    return Program(
         slot,
         bytearray(data + _ZEROS),
         len(data),
@@ -105,8 +102,6 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Steps[Program |
         started=started,
         folder=image.folder,
     )
-    yield from program.find_labels()
-    return program
 
 
 def _table(data: bytes, at: int) -> tuple[tuple[ProgramParameter, ...], int]:

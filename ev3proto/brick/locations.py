@@ -10,7 +10,7 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
-from ev3proto.brick.steps import WildAccess
+from ev3proto.brick.exits import WildAccess
 from ev3proto.tables.declaration import Type
 
 _INTEGER8, _INTEGER16, _INTEGER32, _FLOAT = (struct.Struct(layout) for layout in ("<b", "<h", "<i", "<f"))

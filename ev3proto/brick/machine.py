@@ -13,6 +13,7 @@ from contextlib import suppress
 
 from ev3proto.brick.conversions import wrap8, wrap16
 from ev3proto.brick.equipment import Equipment
+from ev3proto.brick.exits import Busy, Failure, Leave, NoOperation, Pause, Sleep, WildAccess
 from ev3proto.brick.handlers import Dispatch, Family
 from ev3proto.brick.handles import Array
 from ev3proto.brick.images import Image, Images, load
@@ -30,7 +31,6 @@ from ev3proto.brick.running_programs import (
     Program,
     ProgramObject,
 )
-from ev3proto.brick.steps import Busy, Failure, Leave, NoOperation, Pause, Sleep, Steps, WildAccess
 from ev3proto.schema.argument import INTEGER_FORMS
 from ev3proto.tables.declaration import Type
 from ev3proto.tables.encoding import CONSTANT, ENCODINGS, GLOBAL, JUMP, LOCAL, SHORT, SIZES, STRINGS, TEXT, Encoding
@@ -183,9 +183,6 @@ class Machine:
         code, dispatch = self.code, self._dispatch
         begin = self.ip
         try:
-            if entry.work is not None:
-                steps, entry.work = entry.work, None
-                self.work(steps)
             while left > 0:
                 if left == look:
                     look = left - QUICK_OPERATIONS
@@ -210,16 +207,9 @@ class Machine:
         finally:
             self._left = left
 
-    def work(self, steps: Steps[None]) -> None:
-        """Does the steps of an operation; raises Pause where the time of the turn is over."""
-        for _ in steps:
-            if thread_time() > self._deadline:
-                self.object.work = steps
-                raise Pause
-
-    def start_program(self, slot: int, image: Image) -> Steps[bool]:
+    def start_program(self, slot: int, image: Image) -> bool:
         """Makes a program of an image and starts it in a slot. Returns False and logs an error if it is damaged."""
-        program = yield from load(slot, image, self.microseconds, self.brick.dialect)
+        program = load(slot, image, self.microseconds, self.brick.dialect)
         if program is None:
             self.brick.settings.log_error("VM_PROGRAM_VALIDATION")
             return False
@@ -236,9 +226,6 @@ class Machine:
         program.ended = self.microseconds
         for entry in program.objects.values():
             entry.status = STOPPED
-            if entry.work is not None:
-                entry.work.close()
-                entry.work = None
         for handle, _ in program.handles.items():
             self.release(program, handle)
         self.brick.program_ended(program)

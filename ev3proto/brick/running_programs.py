@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from ev3proto.brick.handles import HandleTable
 from ev3proto.brick.locations import Location
-from ev3proto.brick.steps import Steps, finish
 from ev3proto.checking.verdict import Refusal, validator
 from ev3proto.program import ProgramParameter
 from ev3proto.tables import operations
@@ -27,9 +26,6 @@ _OBJECT_END = operations()["OBJECT_END"].opcode.number
 
 _AFTER_CODE = bytes(256)
 """Zeros after code, more than an operation can read beyond the end."""
-
-STEP = 2000
-"""Operations or objects that are looked at in one step."""
 
 
 class Result(NamedTuple):
@@ -56,7 +52,6 @@ class ProgramObject:
     pending: int = 0  # triggers that are still missing
     caller: ProgramObject | None = None  # the object that called it
     results: list[Result] = field(default_factory=list)  # its outputs, and their places in the caller's memory
-    work: Steps[None] | None = None  # the rest of an operation that takes long
 
     def reset(self) -> None:
         """Resets it to its beginning."""
@@ -95,16 +90,14 @@ class Program:
     def label(self, number: int) -> int | None:
         """Returns the offset of the last opLABEL with a number; None for an unknown number."""
         if self._labels is None:
-            finish(self.find_labels())
-        assert self._labels is not None
+            self._labels = self._find_labels()
         return self._labels.get(number)
 
-    def find_labels(self) -> Steps[None]:
-        """Looks for all opLABELs, in the way in which the firmware validates code."""
+    def _find_labels(self) -> dict[int, int]:
+        """Returns all opLABELs, found in the way in which the firmware validates code."""
         found: dict[int, int] = {}
         step = validator("official").step
         starts = sorted({entry.begin for entry in self.objects.values()})
-        count = 0
         for begin, stop in zip(starts, [*starts[1:], self.end], strict=True):
             code = bytes(self.code[begin:stop])
             if _LABEL not in code:
@@ -116,15 +109,7 @@ class Program:
                 if code[at] == _LABEL and at + 1 < len(code):
                     found[label_number(code, at + 1)] = begin + at
                 at = step(data, at, len(code))
-                count += 1
-                if count % STEP == 0:
-                    yield
-        self._labels = found
-
-    @property
-    def is_working(self) -> bool:
-        """Whether an operation takes long, and is continued with the next turn."""
-        return self.current is not None and self.current.work is not None
+        return found
 
     def next_object(self) -> ProgramObject | None:
         """Returns the next object that runs, after the current one in the order of their numbers."""

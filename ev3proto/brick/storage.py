@@ -16,8 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
-from ev3proto.brick.steps import Steps
-from ev3proto.tables.paths import HOME, parts
+from ev3proto.tables.paths import HOME, MOST_PATH, parts
 
 FOLDERS = ("apps", "prjs", "sys", "tools")
 """The folders of a new brick."""
@@ -25,7 +24,7 @@ FOLDERS = ("apps", "prjs", "sys", "tools")
 QUOTA = 6000 * 1024
 """Bytes that files may take, as much as the real brick has for its user."""
 
-MOST_ENTRIES = 10_000
+MOST_ENTRIES = 1_000
 """Files and folders that may be created; existing ones are kept in any case."""
 
 MOST_DEPTH = 32
@@ -35,10 +34,6 @@ _HIDDEN = (b".", b"CVS")
 """Prefixes of the names that the firmware does not show."""
 
 _OPEN_FLAGS = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-
-
-_PIECE = 1 << 16
-"""Bytes that are copied at a time."""
 
 
 class Totals(NamedTuple):
@@ -87,10 +82,8 @@ class Storage:
     def _above(self, path: bytes) -> bytes | None:
         """Returns the only entry of a folder above the brick's files, `/`, `/home` or `/home/root`; None for others."""
         names = parts(path)
-        is_above = (
-            self.root is not None and bool(path) and len(names) < len(HOME) and HOME[: len(names)] == tuple(names)
-        )
-        return HOME[len(names)] if is_above else None
+        is_above = len(names) < len(HOME) and HOME[: len(names)] == tuple(names)
+        return HOME[len(names)] if is_above and self.root is not None and 0 < len(path) <= MOST_PATH else None
 
     def is_file(self, path: bytes) -> bool:
         """Returns whether a path names a file."""
@@ -113,13 +106,16 @@ class Storage:
 
     def read(self, path: bytes) -> bytes | None:
         """Reads a whole file; None if it does not exist."""
-        file = self.open_to_read(path)
+        return self._contents(self.open_to_read(path))
+
+    @staticmethod
+    def _contents(file: StoredFile | None) -> bytes | None:
         if file is None:
             return None
         with file:
             return file.readall()
 
-    def listing(self, path: bytes) -> Steps[bytes | None]:
+    def listing(self, path: bytes) -> bytes | None:
         """Returns a folder as LIST_FILES shows it: in reverse order, one line an entry.
 
         None for an unknown folder. Anything but files, folders and links is omitted.
@@ -134,22 +130,15 @@ class Storage:
             if stat.S_ISDIR(status.st_mode) or stat.S_ISLNK(status.st_mode):
                 lines.append(os.fsencode(name) + b"/\n")
             elif stat.S_ISREG(status.st_mode):
-                digest = yield from self._digest(place / name)
+                digest = self._digest(place / name)
                 lines.append(b"%s %08X %s\n" % (digest, status.st_size & 0xFFFFFFFF, os.fsencode(name)))
-            yield
         # The folder itself and the one above come first in a folder, so they come last here.
         return b"".join((*reversed(lines), b"../\n", b"./\n"))
 
-    def _digest(self, place: Path) -> Steps[bytes]:
+    def _digest(self, place: Path) -> bytes:
         """Returns the MD5 in upper case; for an unreadable file that of an empty one."""
-        digest = hashlib.md5(usedforsecurity=False)
-        file = self._open(place, os.O_RDONLY, "rb")
-        if file is not None:
-            with file:
-                while chunk := file.read(_PIECE):
-                    digest.update(chunk)
-                    yield
-        return digest.hexdigest().upper().encode("ascii")
+        contents = self._contents(self._open(place, os.O_RDONLY, "rb")) or b""
+        return hashlib.md5(contents, usedforsecurity=False).hexdigest().upper().encode("ascii")
 
     def shown(self, path: bytes) -> list[bytes]:
         """Returns the entries that the firmware shows of a folder, in its order; none for anything else."""
@@ -240,7 +229,7 @@ class Storage:
             self.used -= status.st_size
         return True
 
-    def remove(self, path: bytes) -> Steps[bool]:
+    def remove(self, path: bytes) -> bool:
         """Deletes a file, or a folder with its files; a folder that contains folders stays, with these."""
         path = path.rstrip(b"/")
         place = self.locate(path)
@@ -248,55 +237,46 @@ class Storage:
             for name, status in _entries(place):
                 if not stat.S_ISDIR(status.st_mode):
                     self.delete(path + b"/" + os.fsencode(name))
-                yield
         return self.delete(path)
 
-    def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> Steps[bool]:
+    def copy(self, source: bytes, target: bytes, depth: int = MOST_DEPTH) -> bool:
         """Copies a file, or a folder and all that is in it, over the target. Returns False if that is impossible."""
         source, target = source.rstrip(b"/"), target.rstrip(b"/")
         origin, goal = self.locate(source), self.locate(target)
         if origin is None or goal is None or goal.is_relative_to(origin):
             return False
         if _is_file(origin):
-            return (yield from self._copy_file(source, target))
+            return self._copy_file(source, target)
         if not _is_folder(origin) or depth == 0 or origin.is_relative_to(goal):
             return False
-        yield from self._delete_tree(target, depth)
+        self._delete_tree(target, depth)
         if not self.make_folder(target):
             return False
-        is_whole = True
-        for name, _ in _entries(origin):
-            below = b"/" + os.fsencode(name)
-            is_whole = (yield from self.copy(source + below, target + below, depth - 1)) and is_whole
-            yield
-        return is_whole
+        below = [b"/" + os.fsencode(name) for name, _ in _entries(origin)]
+        copied = [self.copy(source + name, target + name, depth - 1) for name in below]
+        return all(copied)
 
-    def _copy_file(self, source: bytes, target: bytes) -> Steps[bool]:
+    def _copy_file(self, source: bytes, target: bytes) -> bool:
         reader = self.open_to_read(source)
         if reader is None:
             return False
         with reader:
             goal = self.locate(target)
             if goal is not None and _is_folder(goal):
-                yield from self._delete_tree(target, MOST_DEPTH)
+                self._delete_tree(target, MOST_DEPTH)
             if os.fstat(reader.fileno()).st_size > self.free:
                 return False
             writer = self.open_to_write(target)
             if writer is None:
                 return False
             with writer:
-                while piece := reader.read(_PIECE):
-                    if not writer.put(piece):
-                        return False
-                    yield
-        return True
+                return writer.put(reader.readall())
 
-    def _delete_tree(self, path: bytes, depth: int) -> Steps[None]:
+    def _delete_tree(self, path: bytes, depth: int) -> None:
         place = self.locate(path)
         if place is not None and _is_folder(place) and depth:
             for name, _ in _entries(place):
-                yield from self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
-                yield
+                self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
         self.delete(path)
 
     def _may_make(self) -> bool:

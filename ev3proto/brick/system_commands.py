@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Generator, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,7 +17,6 @@ from ev3proto.brick.equipment import Equipment
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.running_programs import USER_SLOT
-from ev3proto.brick.steps import Steps
 from ev3proto.brick.storage import StoredFile
 from ev3proto.schema.fields import REPLIES, REQUESTS
 from ev3proto.schema.header import HEADER_SIZE
@@ -90,7 +89,7 @@ class OpenTransfer:
     done: int = 0  # bytes transferred so far
 
 
-Function = Callable[["SystemCommands", Request], Answer | Steps[Answer] | None]
+Function = Callable[["SystemCommands", Request], Answer | None]
 
 _FUNCTIONS: dict[str, Function] = {}
 
@@ -113,8 +112,8 @@ class SystemCommands:
         self._machine = machine
         self._transfers: dict[int, OpenTransfer] = {}
 
-    def answer(self, channel: Hashable, frame: bytes) -> Steps[tuple[bool, bytes] | None]:
-        """Executes a system command, in steps.
+    def answer(self, channel: Hashable, frame: bytes) -> tuple[bool, bytes] | None:
+        """Executes a system command.
 
         Returns whether the reply is an error, and its bytes after the header; None for commands without a reply and
         for those that the firmware does not know.
@@ -133,8 +132,7 @@ class SystemCommands:
             name: str(value).encode(STRING_CODING) if known[name].kind in texts else value
             for name, value in fields.items()
         }
-        result = function(self, Request(channel, values, frame[at:]))
-        found = (yield from result) if isinstance(result, Generator) else result
+        found = function(self, Request(channel, values, frame[at:]))
         if found is None:
             return None
         is_error = found.is_error and found.status.is_failure
@@ -232,9 +230,9 @@ class SystemCommands:
         )
 
     @_answers("LIST_FILES")
-    def list_files(self, request: Request) -> Steps[Answer]:
+    def list_files(self, request: Request) -> Answer:
         """Makes the listing of a folder, and sends its first piece."""
-        listing = yield from self._brick.files.listing(request.text("path"))
+        listing = self._brick.files.listing(request.text("path"))
         if listing is None:
             return Answer(SystemStatus.UNKNOWN_ERROR, _EMPTY)
         transfer = OpenTransfer(request.channel, "LIST_FILES", io.BytesIO(listing), len(listing))

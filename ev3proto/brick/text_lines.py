@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
-from ev3proto.brick.steps import Steps
 from ev3proto.tables.enumerations import DEL
 
 _BYTES = {
@@ -23,39 +23,23 @@ DELIMITERS = {DEL.members[name]: text for name, text in _BYTES.items()}
 
 _FONT_MARKS = (1, 2, 3)
 
-_STEP = 1000
-"""Lines that are read in one step."""
 
-
-def lines_of(text: bytes, delimiter: bytes) -> Iterator[bytes | None]:
-    """Yields the lines of a text, without delimiter and font byte; anything after the last delimiter does not count.
-
-    None is yielded where the reader may pause.
-    """
+def lines_of(text: bytes, delimiter: bytes) -> Iterator[bytes]:
+    """Yields the lines of a text, without delimiter and font byte; anything after the last delimiter does not count."""
     # The text is read once, as in the firmware: an incomplete delimiter hides what follows it.
     start = 0
     first, rest = re.escape(delimiter[:1]), re.escape(delimiter[1:])
     ends = re.compile(first + (b"(?:(%b)|.|\\Z)" % rest if rest else b"()"), re.DOTALL)
-    for count, found in enumerate(ends.finditer(text) if delimiter else ()):
+    for found in ends.finditer(text) if delimiter else ():
         if found[1] is not None:
             line = text[start : found.end() - len(delimiter)]
             start = found.end()
             yield line[1:] if line[:1] and line[0] in _FONT_MARKS else line
-        elif count % _STEP == _STEP - 1:
-            yield None
 
 
-def line_of(text: bytes, delimiter: bytes, number: int) -> Steps[bytes]:
+def line_of(text: bytes, delimiter: bytes, number: int) -> bytes:
     """Returns a line, counted from 1; an empty one if there is none. An empty delimiter ends every line at once."""
-    count = 0
-    for line in lines_of(text, delimiter) if number >= 1 else ():
-        if line is None:
-            yield
-        elif (count := count + 1) == number:
-            return line
-        elif count % _STEP == 0:
-            yield
-    return b""
+    return next(islice(lines_of(text, delimiter), number - 1, None), b"") if number >= 1 else b""
 
 
 def with_line(text: bytes, line: bytes, delimiter: bytes, font: int, size: int) -> bytes:

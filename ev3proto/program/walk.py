@@ -7,7 +7,6 @@ those that were validated.
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from enum import Enum
 from typing import NamedTuple
 
@@ -24,10 +23,6 @@ VERSION_AT = SIZE_AT + 4
 
 _AFTER_IMAGE = bytes(256)
 """Zeros after the image, more than an operation can read beyond the end."""
-
-
-_STEP = 1000
-"""Operations and objects between two places where a walk may pause."""
 
 
 class HeaderReason(Enum):
@@ -74,17 +69,6 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
 
     A version between that of 2013's release and the latest says that the program is for a firmware with newer commands.
     """
-    steps = walking(image, dialect)
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            found: Walk = end.value
-            return found
-
-
-def walking(image: bytes, dialect: str = "official") -> Generator[None, None, Walk]:
-    """Does the same as `walk`, and yields after some hundred operations or objects, where it may pause."""
     stated, version, count, _ = PACKED_HEADER.unpack_from(image, SIZE_AT)
     at = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
     refused = (
@@ -102,11 +86,7 @@ def walking(image: bytes, dialect: str = "official") -> Generator[None, None, Wa
     data = image + _AFTER_IMAGE
     objects: list[ObjectRead] = []
     last = None
-    done = 0
     for number in range(count):
-        done += 1
-        if done % _STEP == 0:
-            yield
         offset, owner, triggers, _ = PACKED_OBJECT.unpack_from(image, IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * number)
         offset = offset or at
         start = at
@@ -118,9 +98,6 @@ def walking(image: bytes, dialect: str = "official") -> Generator[None, None, Wa
         is_ended = False
         while at < stated and not is_ended:
             last = at
-            done += 1
-            if done % _STEP == 0:
-                yield
             is_ended = data[at] == OBJECT_END
             found = step(data, at, stated)
             if isinstance(found, Refusal):

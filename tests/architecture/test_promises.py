@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from ev3proto import bounded, dialogue
-from ev3proto.brick import images, limits
+from ev3proto.brick import images, limits, storage
 from ev3proto.brick.operations.strings import MOST_CHARACTERS
 from ev3proto.capture import conversation, files, packets, record, series, statistics
 from ev3proto.capture.carriers.bluetooth import adapters
@@ -77,8 +77,8 @@ LIMITS = [
     f"{limits.MOST_OPERATIONS:,}, and {limits.MOST_PROCESSOR_SECONDS:g} s of CPU time"
     f"; {limits.MOST_SPENT:g} s if another client waits",
     f"{limits.MOST_SECONDS} s; {limits.PATIENCE:g} s if another client waits",
-    f"{limits.STRETCH * 1000:g} ms of CPU time, and one step of an operation",
-    f"{limits.STRETCH * 1000:g} ms of CPU time at a time",
+    f"{limits.STRETCH * 1000:g} ms of CPU time, and one operation",
+    f"{storage.MOST_ENTRIES:,}",
     f"{MOST_CHARACTERS:,} bytes, as in the firmware",
     f"{images.MOST_IMAGES}, and {images.MOST_BYTES:,} bytes",
     f"{MOST_PATH:,} bytes",

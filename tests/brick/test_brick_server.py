@@ -396,24 +396,6 @@ def test_a_client_that_connects_for_each_command_is_not_ahead_of_others(tmp_path
         assert max(waited) <= 8
 
 
-def test_work_that_takes_long_keeps_no_other_client_waiting(tmp_path: Path) -> None:
-    folder = tmp_path / "prjs/Full"
-    folder.mkdir(parents=True)
-    for number in range(3000):
-        (folder / f"f{number}").write_bytes(b"x")
-    battery = command("UI_READ(GET_LBATT, GV(0))", 9)
-    packed = command('FILENAME(PACK, "../prjs/Full")', 7)
-    with (
-        served(tmp_path, Options(port=0, beacon=False, clients=2)) as brick,
-        Client(brick.port) as busy,
-        Client(brick.port) as other,
-    ):
-        busy.send(packed)
-        assert other.ask(battery)[4] == 2
-        assert busy.is_silent(0.001)
-        assert busy.reply()[2:4] == packed[2:4]
-
-
 def test_an_endless_command_ends_with_its_connection(tmp_path: Path) -> None:
     with served(tmp_path) as brick:
         with Client(brick.port) as client:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ev3proto.brick.exits import Busy, Failure
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy, Failure, Steps
 from ev3proto.tables.declaration import NUMBER_TYPES, Type
-
-_STEP = 1000
-"""Elements that INIT sets in one step."""
 
 
 def _array(vm: Machine, handle: int) -> Array:
@@ -52,7 +49,7 @@ def _create(kind: Type) -> Callable[[Machine, int, Location], None]:
     return create
 
 
-def _init(kind: Type) -> Callable[[Machine], Steps[None]]:
+def _init(kind: Type) -> Callable[[Machine], None]:
     """Returns a handler. The command's type is the width of the values, not the array's type."""
     read = {
         Type.DATA8: Machine.int8,
@@ -61,15 +58,13 @@ def _init(kind: Type) -> Callable[[Machine], Steps[None]]:
         Type.DATAF: Machine.float_bits,
     }[kind]
 
-    def init(vm: Machine) -> Steps[None]:
+    def init(vm: Machine) -> None:
         array = _array(vm, vm.int16())
         index, count = vm.int32(), vm.int32()
         if index < 0 or count < 0 or index + count > array.elements:
             raise Failure
         for number in range(index, index + count):
             _put(array, number * kind.size, (read(vm) & 0xFFFFFFFF).to_bytes(4, "little")[: kind.size])
-            if number % _STEP == _STEP - 1:
-                yield
 
     return init
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from ev3proto.brick.exits import Failure
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.running_programs import OK
-from ev3proto.brick.steps import Failure
 from ev3proto.tables.com import NAME_LETTERS
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING

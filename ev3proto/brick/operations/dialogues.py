@@ -7,10 +7,10 @@ from itertools import islice
 
 from ev3proto.brick.devices.buttons import BUTTONS
 from ev3proto.brick.devices.display.screen_dialog import ScreenDialog
+from ev3proto.brick.exits import Busy
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy
 from ev3proto.brick.text_lines import DELIMITERS, lines_of
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -210,7 +210,7 @@ def textbox(
     whole = text[: max(min(size, _MOST_SHOWN), 0)]
 
     def lines() -> list[bytes]:
-        return list(islice((each for each in lines_of(whole, ends) if each is not None), _SHOWN_LINES))
+        return list(islice(lines_of(whole, ends), _SHOWN_LINES))
 
     begins = line.read16() < 0
     if begins:

@@ -9,11 +9,11 @@ from typing import Any
 from ev3proto.brick.devices.display import Canvas, Display
 from ev3proto.brick.devices.display.graph import Graph, Scale, Summary
 from ev3proto.brick.devices.display.pictures import read_picture
+from ev3proto.brick.exits import Busy, WildAccess
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.files import checked_name
-from ev3proto.brick.steps import Busy, WildAccess
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import DATA16, DATAF

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ev3proto.brick.exits import Failure
 from ev3proto.brick.handlers import handles, handles_unknown
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Failure
 
 OPEN_MICROSECONDS = 10_000_000
 

@@ -9,7 +9,6 @@ from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.operations.files import checked_name, in_own_folder, write_or_cut
-from ev3proto.brick.steps import Steps
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
@@ -75,13 +74,13 @@ def _archive(path: bytes) -> bytes:
 
 
 @handles("FILENAME.PACK")
-def pack(vm: Machine, path: bytes) -> Steps[None]:
+def pack(vm: Machine, path: bytes) -> None:
     """Writes an archive beside the packed file or folder."""
     path = in_own_folder(vm, path)
-    yield from archives.pack(vm.brick.files, path, _archive(path))
+    archives.pack(vm.brick.files, path, _archive(path))
 
 
 @handles("FILENAME.UNPACK")
-def unpack(vm: Machine, path: bytes) -> Steps[None]:
+def unpack(vm: Machine, path: bytes) -> None:
     """Unpacks an archive into the folder that it is in."""
-    yield from archives.unpack(vm.brick.files, _archive(in_own_folder(vm, path)))
+    archives.unpack(vm.brick.files, _archive(in_own_folder(vm, path)))

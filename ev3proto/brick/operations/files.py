@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ev3proto.brick.conversions import wrap8
+from ev3proto.brick.exits import Busy, Failure
 from ev3proto.brick.formatting import fixed, padded, read_number
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import NO_HANDLE
@@ -10,7 +11,6 @@ from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import MOST_RECENT, OpenFile
 from ev3proto.brick.running_programs import RUNNING
-from ev3proto.brick.steps import Busy, Failure, Steps
 from ev3proto.brick.text_lines import DELIMITERS
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
@@ -217,24 +217,24 @@ def write_bytes(vm: Machine, handle: int, count: int, source: Location) -> None:
 
 
 @handles("FILE.REMOVE", places=("NAME",))
-def remove(vm: Machine, place: Location) -> Steps[None]:
+def remove(vm: Machine, place: Location) -> None:
     """Deletes a file, or a folder with its files; the list of recent files forgets them."""
     name = checked_name(vm, place)
     if name is not None:
-        yield from _remove(vm, name)
+        _remove(vm, name)
 
 
-def _remove(vm: Machine, path: bytes) -> Steps[None]:
+def _remove(vm: Machine, path: bytes) -> None:
     files, recent = vm.brick.files, vm.brick.recent
     for known in recent.paths:
         folder, _, name = known.rpartition(b"/")
         if known == path or (folder == path and name in files.entries(path)):
             recent.forget(known)
-    yield from files.remove(path)
+    files.remove(path)
 
 
 @handles("FILE.MOVE", places=("SOURCE", "DEST"))
-def move(vm: Machine, source: Location, target: Location) -> Steps[None]:
+def move(vm: Machine, source: Location, target: Location) -> None:
     """Copies: the source stays. The target is deleted, even if there is nothing to copy."""
     origin = checked_name(vm, source)
     goal = None if origin is None else checked_name(vm, target)
@@ -242,8 +242,8 @@ def move(vm: Machine, source: Location, target: Location) -> Steps[None]:
         return
     files = vm.brick.files
     if files.is_file(goal) or files.is_folder(goal):
-        yield from _remove(vm, goal)
-    yield from files.copy(origin, goal)
+        _remove(vm, goal)
+    files.copy(origin, goal)
 
 
 def _entry(vm: Machine, folder: bytes, item: int) -> bytes | None:
@@ -261,14 +261,14 @@ def entry_name(vm: Machine, folder: bytes, item: int, length: int, destination: 
 
 
 @handles("FILE.DEL_SUBFOLDER")
-def delete_entry(vm: Machine, folder: bytes, item: int) -> Steps[None]:
+def delete_entry(vm: Machine, folder: bytes, item: int) -> None:
     """Deletes a folder in a folder, with its files.
 
     The name follows the folder as it is, without a slash and without its extension. So a file that has one is not
     found, and a missing entry means the folder itself.
     """
     name = _entry(vm, folder, item) or b""
-    yield from _remove(vm, folder + name.partition(b".")[0])
+    _remove(vm, folder + name.partition(b".")[0])
 
 
 # Recent files

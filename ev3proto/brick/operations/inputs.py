@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable
 
 from ev3proto.brick.conversions import NAN8, NAN32
 from ev3proto.brick.devices.sensors import ANALOG, FIRST_MOTOR, SENSOR_COUNT, SPEED_MODE, Device, Inputs
+from ev3proto.brick.exits import Busy, Failure
 from ev3proto.brick.handlers import computes, handles, handles_unknown
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy, Failure
 from ev3proto.tables.declaration import DATAF
 from ev3proto.tables.enumerations import CONN, DATA_FORMAT, RESULT
 

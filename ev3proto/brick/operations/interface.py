@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 from ev3proto.brick.conversions import NAN8, NAN16, NAN32
 from ev3proto.brick.devices.panel import Panel
+from ev3proto.brick.exits import Busy
 from ev3proto.brick.formatting import fixed, padded
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy, Steps
 from ev3proto.brick.text_lines import DELIMITERS, line_of, with_line
 
 _NOTHING = b"nan"
@@ -116,9 +116,9 @@ def get_address(vm: Machine) -> int:
 @handles("UI_READ.TEXTBOX_READ")
 def textbox_read(
     _: Machine, text: bytes, size: int, delimiter: int, length: int, number: int, destination: Location
-) -> Steps[None]:
+) -> None:
     """Writes a line of a text box."""
-    line = yield from line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
+    line = line_of(text[: max(size, 0)], DELIMITERS.get(delimiter, b""), number)
     destination.write_text(line[: length - 1] if length > 0 else b"" if length == 0 else line)
 
 

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import struct
 
+from ev3proto.brick.exits import Failure
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.handles import NO_HANDLE, Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.open_files import OpenFile
 from ev3proto.brick.operations.files import checked_name, find_open, open_to_write, opened_name, write_or_cut
-from ev3proto.brick.steps import Failure
 from ev3proto.tables import paths
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.declaration import Type

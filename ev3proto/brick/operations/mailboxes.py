@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ev3proto.brick.boxes import Mailbox
+from ev3proto.brick.exits import Busy, Failure, WildAccess
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.handles import Array
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy, Failure, WildAccess
 from ev3proto.tables.enumerations import DATA_FORMAT, FORMAT_TYPES
 from ev3proto.tables.mailboxes import BOXES, MOST_CONTENT
 

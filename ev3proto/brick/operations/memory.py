@@ -6,12 +6,8 @@ from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
 from ev3proto.brick.running_programs import CURRENT_SLOT, GUI_SLOT, STOPPED
-from ev3proto.brick.steps import Steps
 
 _KIB = 1024
-
-_STEP = 1 << 14
-"""Bytes that are copied in one step."""
 
 
 def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | None:
@@ -32,7 +28,7 @@ def _variables(vm: Machine, slot: int, number: int) -> tuple[bytearray, int] | N
 
 
 @handles("MEMORY_READ")
-def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Location) -> Steps[None]:
+def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, destination: Location) -> None:
     """Writes zeros for bytes outside; nothing if the memory does not exist."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
@@ -42,12 +38,10 @@ def memory_read(vm: Machine, slot: int, number: int, offset: int, count: int, de
     for index in range(count):
         at = offset + index
         destination.buffer[destination.at + index] = memory[at] if 0 <= at < size else 0
-        if index % _STEP == _STEP - 1:
-            yield
 
 
 @handles("MEMORY_WRITE")
-def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Location) -> Steps[None]:
+def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, source: Location) -> None:
     """Writes a program's memory; bytes outside are omitted."""
     found = _variables(vm, slot, number)
     if found is None or count <= 0:
@@ -57,8 +51,6 @@ def memory_write(vm: Machine, slot: int, number: int, offset: int, count: int, s
     for index in range(count):
         if 0 <= offset + index < size:
             memory[offset + index] = source.buffer[source.at + index]
-        if index % _STEP == _STEP - 1:
-            yield
 
 
 computes({"MEMORY_USAGE": lambda vm: (vm.brick.files.quota // _KIB, vm.brick.files.free // _KIB)})

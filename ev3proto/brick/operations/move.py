@@ -8,13 +8,9 @@ from ev3proto.brick.conversions import NAN8, NAN16, NAN32, float_to_integer, nar
 from ev3proto.brick.handlers import handles
 from ev3proto.brick.locations import WRITERS, Location
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Steps
 from ev3proto.tables.declaration import NUMBER_TYPES, Type
 
 _INTEGERS = {"8": (Type.DATA8, NAN8), "16": (Type.DATA16, NAN16), "32": (Type.DATA32, NAN32)}
-_STEP = 1000
-"""Values that INIT_BYTES copies in one step."""
-
 _TYPES = {suffix: kind for suffix, kind, _ in NUMBER_TYPES}
 
 
@@ -70,13 +66,11 @@ for _source, _type in _TYPES.items():
 
 
 @handles("INIT_BYTES", raw=True)
-def init_bytes(vm: Machine) -> Steps[None]:
+def init_bytes(vm: Machine) -> None:
     """Values cut to 8 bits, one byte each."""
     destination = vm.place()
     for distance in range(vm.int32()):
         destination.moved(distance).write8(vm.int8())
-        if distance % _STEP == _STEP - 1:
-            yield
 
 
 def _read_element(size: int) -> Callable[[Machine, Location, int, Location], None]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ev3proto.brick.devices.motors import Motor, are_busy
+from ev3proto.brick.exits import Busy
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy
 
 
 def _each(method: Callable[..., None]) -> Callable[..., None]:

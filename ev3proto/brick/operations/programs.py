@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ev3proto.brick.exits import Busy, Failure, Leave, Sleep, WildAccess
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.locations import Location
 from ev3proto.brick.machine import Machine
@@ -24,7 +25,6 @@ from ev3proto.brick.running_programs import (
     ProgramObject,
     Result,
 )
-from ev3proto.brick.steps import Busy, Failure, Leave, Sleep, Steps, WildAccess
 from ev3proto.program import ProgramParameter
 from ev3proto.tables.declaration import Direction, Type
 from ev3proto.tables.program import aligned
@@ -183,7 +183,7 @@ def program_start(
     size: int,  # noqa: ARG001 - as the firmware
     address: int,
     mode: int,
-) -> Steps[None]:
+) -> None:
     """Starts a loaded program; from a direct command only while neither a user's nor a debugged program runs."""
     image = vm.images.get(address)
     if image is None or mode == LOAD_ONLY or slot not in (USER_SLOT, TERM_SLOT, DEBUG_SLOT):
@@ -191,7 +191,7 @@ def program_start(
     watched = (USER_SLOT, DEBUG_SLOT) if vm.program.slot == CMD_SLOT else (slot,)
     if any(other is not None and other.status == RUNNING for other in (vm.program_in(number) for number in watched)):
         return
-    yield from vm.start_program(slot, image)
+    vm.start_program(slot, image)
 
 
 # Subroutines

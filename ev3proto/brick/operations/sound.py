@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ev3proto.brick.exits import Busy
 from ev3proto.brick.handlers import computes, handles
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy
 from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ev3proto.brick.exits import Busy, Failure
 from ev3proto.brick.handlers import computes, handles, handles_unknown
 from ev3proto.brick.machine import Machine
-from ev3proto.brick.steps import Busy, Failure
 
 
 @handles(

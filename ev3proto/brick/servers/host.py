@@ -313,7 +313,7 @@ class Host:
         best: Connection | None = None
         now = self._loop.time()
         for connection in self.connections:
-            is_free = connection.rests_until <= now and not self.brick.is_working_for(connection)
+            is_free = connection.rests_until <= now
             if connection.is_ready and is_free and (best is None or connection.since < best.since):
                 best = connection
         return best

@@ -1,24 +1,6 @@
-"""How an operation goes on: long work in steps, and the exits that do not continue with the next operation."""
+"""The exits of an operation that do not continue with the next one."""
 
 from __future__ import annotations
-
-from collections.abc import Generator
-from typing import TypeAlias, TypeVar
-
-T = TypeVar("T")
-
-Steps: TypeAlias = Generator[None, None, T]
-"""Yields at least every few milliseconds, and returns its result."""
-
-
-def finish(steps: Steps[T]) -> T:
-    """Does all steps at once. Returns the result."""
-    while True:
-        try:
-            next(steps)
-        except StopIteration as end:
-            result: T = end.value
-            return result
 
 
 class OperationExit(Exception):  # noqa: N818 - not errors of this package
@@ -45,7 +27,7 @@ class Busy(OperationExit):
 
 
 class Pause(OperationExit):
-    """The operation has taken long: its next steps are done at the program's next turn."""
+    """The time of the turn is over: the program continues with its next turn."""
 
 
 class Leave(OperationExit):

@@ -2561,6 +2561,8 @@ local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplet
 local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
 local SLIPS = {
     length_self = "this is a frame whose length counts its own two bytes: it says {length}, the size of all that was sent; the brick takes {more} bytes of the next one",
+    length_swapped = "this is a frame whose length has its high byte first: it says {length}, but {follow} bytes follow it",
+    length = "the length field says that {length} bytes follow it, but there are {follow}",
     left_over = "the frame before ends here by its length field, {bytes} before the end of what was sent",
 }
 local REFUSED = { E204 = true, E206 = true }
@@ -4993,7 +4995,8 @@ do
         if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
         conversation.has_frame = true
         local is_answered = conversation.state == "answered"
-        conversation.is_good = conversation.is_good or not is_answered and claiming.is_sensible(message)
+        conversation.is_good = conversation.is_good or not is_answered
+            and (message.slip ~= nil or claiming.is_sensible(message))
     end
 
     -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.
@@ -5128,12 +5131,37 @@ do
         return count
     end
 
+    -- Returns the slip in the length field of a command that was sent alone, up to an offset, and the length; nil if it
+    -- has none. `accept` judges the command with the right length.
+    local function slip_in(text, at, sent, accept)
+        local follow = sent and sent - at - LENGTH_FIELD
+        if not follow or follow <= MIN_LENGTH then return nil end
+        local length, slip = reading.unsigned16(text, at), nil
+        local head, more = string.char(follow % 0x100, floor(follow / 0x100)), length - follow
+        if more == LENGTH_FIELD then
+            slip = "length_self"
+        elseif more ~= 0 and head:reverse() == sub(text, at + 1, at + LENGTH_FIELD) then
+            slip = "length_swapped"
+        elseif more ~= 0 and math.abs(more) <= 2 then
+            slip = "length"
+        end
+        local meant = slip and messages.read(head .. sub(text, at + LENGTH_FIELD + 1, sent))
+        return meant and meant.type and meant.type.is_command and accept(meant) and slip, length
+    end
+
     -- Searches for a command with which a claim begins. Packets begin at `starts`: anything may follow a command there,
     -- elsewhere another header must, at least its length. With `anywhere`, as after a gap, frames may begin and end
     -- anywhere. Returns what is found first, of a CHAIN, a SINGLE, what is OPEN, and its offset; or nil.
     function finding.find_command(text, starts, accepts, reported, anywhere)
         local size, is_begin = #text, {}
         local function examine(place)
+            local sent = size
+            for index = #starts, 1, -1 do
+                if starts[index] > place then sent = starts[index] end
+            end
+            if is_begin[place] and reported == size and slip_in(text, place, sent, claiming.is_plausible) then
+                return CHAIN
+            end
             local code, number = byte(text, place + HEADER_SIZE, place + HEADER_SIZE + 1)
             local type, stop = MESSAGE_TYPES[code], stop_of(text, place)
             if not may_start(text, place) or type and not accepts(type) then return nil end
@@ -5194,18 +5222,17 @@ do
         return open
     end
 
-    -- Returns what is wrong with the length field of a frame that ends in the newest packet, which starts at `sent`: it
-    -- counts its own two bytes if it is the size of all that was sent before, and only without the two bytes from that
-    -- the frame makes sense; else nil.
-    function finding.slip_of(text, at, sent)
-        local length = reading.unsigned16(text, at)
-        local right = length and length - LENGTH_FIELD
-        if not sent or length ~= sent - at or right < MIN_LENGTH or stop_of(text, at) > #text then return nil end
-        if claiming.is_sensible(messages.read_at(text, at)) then return nil end
-        local head = string.char(right % 0x100, floor(right / 0x100))
-        local meant = messages.read(head .. sub(text, at + LENGTH_FIELD + 1, at + length))
-        local said = { length = length, more = LENGTH_FIELD }
-        return claiming.is_sensible(meant) and phrases.filled(SLIPS.length_self, said) or nil
+    -- Returns what is wrong with the length field of a frame, nil if nothing is. Its packet starts with it and ends at
+    -- `sent`, and the field says nearly that size; only with the right length the frame makes sense.
+    function finding.slip_of(text, at, sent, is_last)
+        local slip, length = slip_in(text, at, sent, claiming.is_sensible)
+        if not slip then return nil end
+        local stop = is_length(text, at) and stop_of(text, at) or #text
+        -- An empty command has no fault.
+        if stop > #text and not is_last or stop == at + COMMAND_HEADER_SIZE then return nil end
+        if is_length(text, at) and claiming.is_sensible(messages.read_at(text, at)) then return nil end
+        local said = { length = length, follow = sent - at - LENGTH_FIELD, more = LENGTH_FIELD }
+        return phrases.filled(SLIPS[slip], said)
     end
 
     -- Judges a frame that seems to be split over several packets, with possible gaps between them: OURS, PART, or nil.
@@ -5368,9 +5395,12 @@ do
     -- PART for one that has to wait, with the bytes it needs, if known, and the step of the stream; nil for no frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
-        if LOST[step] or stop and not is_length(text, at) then return nil end
-        local slip = finding.slip_of(text, at, stream.sent)
+        if LOST[step] then return nil end
+        local sent = at < stream.joint and stream.sent
+        if at == math.max(stream.joint, stream.start or 0) and stream.reported == #text then sent = #text end
+        local slip = finding.slip_of(text, at, sent, stream.is_last)
         if slip then return OURS, slip end
+        if stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end
@@ -5819,9 +5849,10 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if brick then add_joined(tree, tvb, packet) end
             end
-            local joint = before and #before or 0
+            local joint, begun = before and #before or 0, pinfo.visited and packet.begun
             local state = {
-                reported = #text, is_last = missing > 0, step = packet.step or "likely", start = packet.start,
+                reported = #text, step = packet.step or "likely", start = packet.start,
+                is_last = missing > 0 or begun and not begun[2] and not begun.complete_in,
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
@@ -6340,4 +6371,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 49795966795c030d
+-- Checksum of the lines above, by which a changed file is recognised: 61329d86311e1521

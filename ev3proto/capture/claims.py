@@ -12,6 +12,7 @@ from ev3proto.capture.finding import Accepts, Finder, Found
 from ev3proto.capture.record import Event, Record
 from ev3proto.schema.frame import FrameReader
 from ev3proto.tables.claims import MOST_HELD, REPLIES, STRANGE_PACKETS
+from ev3proto.tables.discovery import NOT_UNLOCKED
 from ev3proto.tables.frame import MAX_FRAME
 
 
@@ -39,6 +40,11 @@ class Held(NamedTuple):
 
 def _is_proof(record: Record) -> bool:
     return record.request is not None and proves(record.frame, record.request.frame)
+
+
+def _is_meant(record: Record) -> bool:
+    """Returns whether a record makes sense, or would with the right length, as its note says."""
+    return is_sensible(record.message) or record.note not in (None, NOT_UNLOCKED)
 
 
 class Claim:
@@ -138,7 +144,7 @@ class Claim:
             return
         if self.state is _CLAIMED and any(map(_is_proof, records)):
             self._enter(_ANSWERED)
-        if records and (self.state is _ANSWERED or any(is_sensible(each.message) for each in records)):
+        if records and (self.state is _ANSWERED or any(map(_is_meant, records))):
             self._strange = self._unread = 0
             return
         self._strange += 1

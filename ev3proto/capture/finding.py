@@ -12,11 +12,29 @@ from enum import Enum, auto
 from itertools import islice
 
 from ev3proto.capture.evidence import is_plausible, is_sensible
+from ev3proto.messages import Message
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import polls_end
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, frame_end, frame_size, may_start
+from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
+    HEADER_SIZE,
+    TYPE_AT,
+    frame_end,
+    frame_size,
+    may_start,
+    with_length,
+)
+from ev3proto.semantics.identify import length_slip
 from ev3proto.tables import system
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, SYSTEM_COMMAND_TYPES, MessageType
+from ev3proto.tables.frame import (
+    COMMAND_TYPES,
+    LENGTH_FIELD,
+    MAX_LENGTH,
+    MESSAGE_TYPES,
+    MIN_LENGTH,
+    SYSTEM_COMMAND_TYPES,
+    MessageType,
+)
 
 Accepts = Callable[[MessageType], bool]
 """Tells which message types go in the direction of a stream."""
@@ -85,6 +103,16 @@ class Finder:
         member = MESSAGE_TYPES.get(buffer[at + HEADER_SIZE - 1])
         return member is not None and member.is_command and member.carries == "direct"
 
+    def slip_of(self, sent: bytes, accept: Callable[[Message], bool]) -> str | None:
+        """Returns the slip in the length field of a command that was sent alone in a packet; None if it has none.
+
+        `accept` judges the command with the right length.
+        """
+        slip = length_slip(sent) if len(sent) > HEADER_SIZE else None
+        if slip is None or sent[TYPE_AT] not in COMMAND_TYPES:
+            return None
+        return slip if accept(self.schema.read_frame(with_length(sent[LENGTH_FIELD:]), strict=False)) else None
+
     def may_become(self, buffer: bytes, at: int) -> bool:
         """Returns whether an incomplete frame may become a valid one."""
         if not may_start(buffer, at):
@@ -150,6 +178,8 @@ class Finder:
     ) -> Found:
         """Returns what is at one offset."""
         size, end, is_begin = len(buffer), frame_end(buffer, at), at in begins
+        if is_begin and not missing and self.slip_of(buffer[at : _next_of(begins, at, size)], self._is_plausible):
+            return Found.CHAIN
         if end is not None and not (
             accepts(MESSAGE_TYPES[buffer[at + HEADER_SIZE - 1]]) and _is_safe(buffer, at, end, begins)
         ):
@@ -162,6 +192,9 @@ class Finder:
             if is_plausible(message, self.schema, is_cut=is_cut):
                 return Found.CHAIN
         return Found.SINGLE if is_begin and self._fills(buffer, at, accepts, missing) else Found.NOTHING
+
+    def _is_plausible(self, message: Message) -> bool:
+        return is_plausible(message, self.schema)
 
     def _unfinished(self, buffer: bytes, at: int) -> Found:
         is_possible = not _carries_data(buffer, at) and self.may_become(buffer, at)
@@ -227,6 +260,11 @@ class Finder:
         if is_frame and following is not None:
             return Found.CHAIN if following else Found.SINGLE
         return Found.BEGUN if is_begin and (is_frame or following is not None) else Found.NOTHING
+
+
+def _next_of(begins: Sequence[int], at: int, size: int) -> int:
+    """Returns the offset after the packet that begins at an offset."""
+    return min((start for start in begins if start > at), default=size)
 
 
 def _frames_from(buffer: bytes, at: int, accepts: Accepts) -> Iterator[tuple[int, int]]:

@@ -15,21 +15,22 @@ from collections.abc import Iterator
 from enum import Enum, auto
 from typing import NamedTuple
 
+from ev3proto.capture.evidence import is_sensible
 from ev3proto.capture.finding import MOST_FOLLOWING, Accepts, Finder, Found
 from ev3proto.errors import DecodeError, counted
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep, polls_end
 from ev3proto.schema.header import (
+    COMMAND_HEADER_SIZE,
     HEADER_SIZE,
     frame_end,
     frame_size,
     impossible_length,
     may_have_length,
     may_start,
-    with_length,
 )
-from ev3proto.semantics.advice import LEFT_OVER, LENGTH_SELF, advice
+from ev3proto.semantics.advice import LEFT_OVER, SENT_WITH, advice
 from ev3proto.semantics.identify import foreign, identify
 from ev3proto.tables.discovery import ACCEPT, MOST_UNLOCK, UNLOCK_REQUEST
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MESSAGE_TYPES
@@ -228,7 +229,8 @@ class Cutter:
 
     def _give_up(self) -> list[StreamPart]:
         """Returns the pieces of the pending bytes, if no more will come."""
-        return [] if self._is_sure() else self._cut(is_last=True)
+        is_slip = self._slip_at(self._buffer.pending, 0, is_last=True) is not None
+        return self._cut(is_last=True) if is_slip or not self._is_sure() else []
 
     def _is_sure(self) -> bool:
         """Returns whether the pending bytes certainly begin where the last frame ended."""
@@ -274,6 +276,9 @@ class Cutter:
     def _take_parts(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> int:
         """Adds the pieces from an offset on. Returns the offset after them."""
         while at < len(buffer):
+            if (slip := self._slip_at(buffer, at, is_last=is_last)) is not None:
+                at = self._take_slip(*slip, at, found)
+                continue
             kind, end = self._next(buffer, at, is_last)
             if kind is PartKind.LOST:
                 at, waits = self._take_lost(buffer, at, found, is_last=is_last)
@@ -281,37 +286,41 @@ class Cutter:
                     break
             elif end > len(buffer):
                 break
-            elif kind is PartKind.FRAME and self._counts_itself(buffer, at, end):
-                at = self._take_slip(buffer, at, end, found)
             else:
                 found.append(self._piece(kind, at, end))
                 self._learn(kind)
                 at = end
         return at
 
-    def _take_slip(self, buffer: bytes, at: int, end: int, found: list[StreamPart]) -> int:
-        """Adds a frame whose length counts itself, and the rest of the packet. Returns the offset after them."""
-        said = LENGTH_SELF.format(length=end - at - LENGTH_FIELD, more=LENGTH_FIELD)
+    def _take_slip(self, end: int, said: str, at: int, found: list[StreamPart]) -> int:
+        """Adds a frame with a wrong length, and the rest of the packet. Returns the offset after them."""
         found.append(self._piece(PartKind.FRAME, at, end, said))
         self._learn(PartKind.FRAME)
-        if end < len(buffer):
-            left = LEFT_OVER.format(bytes=counted(len(buffer) - end, "byte"))
-            found.append(self._piece(PartKind.LOST, end, len(buffer), left))
-        return len(buffer)
+        stop = next(stop for _, _, stop in self._spans() if stop >= end)
+        if end < stop:
+            left = LEFT_OVER.format(bytes=counted(stop - end, "byte"))
+            found.append(self._piece(PartKind.LOST, end, stop, left))
+        return stop
 
-    def _counts_itself(self, buffer: bytes, at: int, end: int) -> bool:
-        """Returns whether the length field of a frame counts its own two bytes.
+    def _slip_at(self, buffer: bytes, at: int, *, is_last: bool) -> tuple[int, str] | None:
+        """Returns the end of a frame with a wrong length, and what is wrong with it; None for any other.
 
-        It is the size of all that was sent, in one packet, before the newest, and only without the two bytes from
-        that the frame makes sense.
+        A packet begins with it, the length field says nearly the size of that packet, and only with the right length
+        the frame makes sense. Its end is the one that the brick sees, as far as bytes are there.
         """
-        size = end - at - LENGTH_FIELD
-        if end > len(buffer) or [start for start, _ in self._marks[-2:]] != [at, at + size]:
-            return False
-        if self._finder.is_frame(buffer, at, end):
-            return False
-        meant = with_length(buffer[at + LENGTH_FIELD : at + size])
-        return self._finder.is_frame(meant, 0, len(meant))
+        sent = next((stop for start, _, stop in self._spans() if start == at), at) if self._in_step else at
+        slip = self._finder.slip_of(buffer[at:sent], is_sensible)
+        if slip is None:
+            return None
+        end, is_possible = at + frame_size(buffer, at), may_have_length(buffer, at)
+        is_right = self._finder.is_frame(buffer, at, end) if end <= len(buffer) else not is_last
+        # An empty command has no fault.
+        if end == at + COMMAND_HEADER_SIZE or (is_possible and is_right):
+            return None
+        said = SENT_WITH[slip].format(
+            length=end - at - LENGTH_FIELD, follow=sent - at - LENGTH_FIELD, more=LENGTH_FIELD
+        )
+        return min(end, len(buffer) if is_possible else sent), said
 
     def _take_lost(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> tuple[int, bool]:
         """Adds the bytes to the next frame. Returns the offset after them, and whether more bytes are needed."""
@@ -383,7 +392,7 @@ class Cutter:
             return PartKind.FRAME, more
         if isinstance(front, OutOfStep):
             return PartKind.LOST, more
-        if self._is_doubtful(buffer, at, front) and not self._counts_itself(buffer, at, front):
+        if self._is_doubtful(buffer, at, front):
             return self._judge(buffer, at, front, is_last)
         return PartKind.FRAME, front
 

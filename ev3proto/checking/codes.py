@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MOST_IN_REPLY, with_length
+from ev3proto.semantics.advice import STATED
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import mailboxes, operations
 from ev3proto.tables.daisy import DaisySubCommand
@@ -127,7 +128,6 @@ def opcode(name: str) -> str:
 
 
 # What several codes say.
-_STATED = "the length field says that {stated} it, but there are {follow}"
 _NOP = opcode("NOP")
 _USE_AN_OPCODE = "use an opcode, and check the length of what is before it"
 _OTHER_CMD = "use a CMD of {owner}; `ev3proto ops {owner}` lists them"
@@ -167,7 +167,7 @@ INCOMPLETE = _code(
     """,
     _frame("0E:00|2A:00|80|00:00|94:01:01:82:B8:01"),
     TONE,
-    words=Words(_STATED, "set the length to {follow}, or add the {missing}"),
+    words=Words(STATED, "set the length to {follow}, or add the {missing}"),
 )
 LEFT_OVER = _code(
     "E103",
@@ -180,8 +180,8 @@ LEFT_OVER = _code(
     _frame("08:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
     _frame("0B:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
     words={
-        "": Words(_STATED, "set the length to {follow}{omit}"),
-        "too long": Words(_STATED, "use a length of at most {most}{omit}"),
+        "": Words(STATED, "set the length to {follow}{omit}"),
+        "too long": Words(STATED, "use a length of at most {most}{omit}"),
     },
 )
 TOO_LONG = _code(

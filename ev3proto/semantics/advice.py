@@ -24,12 +24,15 @@ SLIPS = {
     "length-swapped": "this is a frame whose length has its high byte first",
 }
 """What is said about slips that the header shows."""
-LENGTH_SELF = (
-    f"{SLIPS['length-self']}: it says {{length}}, the size of all that was sent; the brick takes {{more}} bytes of"
-    " the next one"
-)
+STATED = "the length field says that {stated} it, but there are {follow}"
+SENT_WITH = {
+    "length-self": f"{SLIPS['length-self']}: it says {{length}}, the size of all that was sent; the brick takes"
+    " {more} bytes of the next one",
+    "length-swapped": f"{SLIPS['length-swapped']}: it says {{length}}, but {{follow}} bytes follow it",
+    "length": STATED.replace("{stated}", "{length} bytes follow"),
+}
 LEFT_OVER = "the frame before ends here by its length field, {bytes} before the end of what was sent"
-"""What is said of such a frame in a stream, and of the bytes after a frame in one packet."""
+"""What is said of such a frame in a stream, by the slip, and of the bytes after a frame in one packet."""
 _ALSO = "all of it is a telegram of the NXT ({}), LEGO's earlier brick, and also this frame of an EV3"
 
 

@@ -148,6 +148,16 @@ def is_prose(data: bytes) -> bool:
     return data.isascii() and all(byte >= 0x20 or byte in b"\t\r\n" for byte in data)
 
 
+def length_slip(data: bytes) -> str | None:
+    """Returns the name of the slip in the length field of a frame, if that says nearly the size; else None."""
+    says, size = frame_size(data), len(data)
+    if says == size + LENGTH_FIELD:
+        return "length-self"
+    if says != size == frame_size(data[1::-1]):
+        return "length-swapped"
+    return "length" if 0 < abs(says - size) <= _NEARLY else None
+
+
 def without_length(data: bytes) -> bytes | None:
     """Returns the bytes as a message that lost its length field; None where they are too few or too many."""
     if not is_frame_size(len(data) + LENGTH_FIELD) or data[TYPE_AT - LENGTH_FIELD] not in MESSAGE_TYPES:
@@ -237,12 +247,11 @@ def _wrong_header(given: _Given) -> Identity | None:
 
 def _wrong_command(given: _Given, says: int) -> Identity | None:
     data, reader = given.data, given.reader
-    mended, is_swapped = with_length(data[LENGTH_FIELD:]), frame_size(data[1::-1]) == len(data)
-    if not (is_frame_size(says) and says <= MOST_MISSING * len(data)) and not is_swapped:
+    mended, slip = with_length(data[LENGTH_FIELD:]), length_slip(data)
+    if not (is_frame_size(says) and says <= MOST_MISSING * len(data)) and slip != "length-swapped":
         return None
     if is_sure(mended, reader) or (given.is_whole and is_flawless(mended, reader)):
-        is_self = says == len(data) + LENGTH_FIELD
-        return Identity(Kind.SLIP, "length-self" if is_self else "length-swapped" if is_swapped else "length", mended)
+        return Identity(Kind.SLIP, slip or "length", mended)
     is_meant = given.is_whole and (
         abs(says - len(data)) <= _NEARLY or _is_truncated(mended, reader) or is_flawless(data[:says], reader)
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from support.messages import tone, voltage, volts
 from support.packets import HCI_WITH_DIRECTION, RAW_IP, Capture, Connection, SerialPort
@@ -64,6 +66,56 @@ def test_a_length_that_counts_itself_is_named(tshark: Tshark, link: int) -> None
     assert answer.request is not None
     problems = [each.message.partition(": ")[2] for each in decoded if isinstance(each, ev3proto.Problem)]
     assert problems == [LEFT_OVER % "8 bytes"] * 2
+
+
+SWAPPED = "this is a frame whose length has its high byte first: it says %d, but %d bytes follow it"
+WRONG = "the length field says that %d bytes follow it, but there are %d"
+SLIPS: dict[str, tuple[int, str, str]] = {
+    # The length of an 8 byte command, and what is said of it.
+    "counts itself": (10, "0A00", SELF % 10),
+    "high byte first": (0x0800, "0008", SWAPPED % (0x0800, 8)),
+    "1 too large": (9, "0900", WRONG % (9, 8)),
+    "1 too small": (7, "0700", WRONG % (7, 8)),
+    "2 too small": (6, "0600", WRONG % (6, 8)),
+}
+
+
+@pytest.mark.parametrize("link", [RAW_IP, HCI_WITH_DIRECTION])
+def test_a_wrong_length_in_the_very_first_frame_is_named(tshark: Tshark, link: int) -> None:
+    """Where nothing else tells that a brick is spoken to: no text, no right frame; in `decode` as in Wireshark."""
+    capture = Capture(link)
+    expected: dict[int, str] = {}
+    controls: list[int] = []
+    for number, (length, digits, said) in enumerate(SLIPS.values()):
+        way = Connection(capture, 10_000 + number) if link == RAW_IP else SerialPort(capture, connection=number)
+        sent = [way.send(bytes.fromhex(digits) + voltage(counter)[2:]) for counter in (20, 21)]
+        # Of a length that is too large, the brick waits for the next command.
+        waits = 8 < length <= 10
+        expected |= dict.fromkeys(sent[1:] if waits else sent, said)
+    for number, pieces in enumerate(([voltage(1)], [voltage(1)[:7], voltage(1)[7:]], [voltage(1) + tone(2)]), 100):
+        way = Connection(capture, 10_000 + number) if link == RAW_IP else SerialPort(capture, connection=number)
+        controls += [way.send(piece) for piece in pieces]
+    for words in ((), ("-2",)):
+        found = shown(tshark, capture, *words)
+        named = {number: [line for line in lines if "offset 0" in line] for number, (_, lines) in found.items()}
+        assert {
+            number: lines[0][len("at offset 0: ") :].partition(";")[0] for number, lines in named.items() if lines
+        } == expected
+        assert not any("ev3" in found[number][0].lower() or "length" in str(found[number]) for number in controls)
+    records = [each for each in ev3proto.read(tshark.folder / "boundaries.pcap") if isinstance(each, ev3proto.Record)]
+    assert {each.number: each.note.partition(";")[0] for each in records if each.note} == expected
+
+
+@pytest.mark.parametrize("link", [RAW_IP, HCI_WITH_DIRECTION])
+def test_a_single_frame_with_a_wrong_length_is_named_by_decode(tmp_path: Path, link: int) -> None:
+    capture = Capture(link)
+    way = Connection(capture) if link == RAW_IP else SerialPort(capture)
+    way.send(counting_itself(tone(1)))
+    (tmp_path / "single.pcap").write_bytes(capture.data())
+    (found,) = ev3proto.read(tmp_path / "single.pcap")
+    assert isinstance(found, ev3proto.Record)
+    assert found.note is not None
+    assert found.note.startswith(SELF % 16)
 
 
 def test_bytes_after_a_frame_are_the_senders(tshark: Tshark) -> None:

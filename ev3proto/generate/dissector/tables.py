@@ -24,7 +24,7 @@ from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, lite
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing, transfers
-from ev3proto.semantics.advice import LEFT_OVER, LENGTH_SELF
+from ev3proto.semantics.advice import LEFT_OVER, SENT_WITH
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import OPCODES, carriers, claims, daisy, discovery, enumerations, frame, mailboxes
@@ -456,7 +456,8 @@ def _findings() -> Iterator[str]:
     yield _assign("FILES", Table(named={"longer": transfers.LONGER, "incomplete": transfers.INCOMPLETE}))
     most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}
     yield _assign("MOST_IN_MAILBOX", Table(named=most))
-    yield _assign("SLIPS", Rows(named={"length_self": LENGTH_SELF, "left_over": LEFT_OVER}))
+    slips: dict[Any, object] = {name.replace("-", "_"): said for name, said in SENT_WITH.items()}
+    yield _assign("SLIPS", Rows(named=slips | {"left_over": LEFT_OVER}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))
 

@@ -192,9 +192,10 @@ do
                 whole = ByteArray.new(text, true):tvb("EV3 frames")
                 if brick then add_joined(tree, tvb, packet) end
             end
-            local joint = before and #before or 0
+            local joint, begun = before and #before or 0, pinfo.visited and packet.begun
             local state = {
-                reported = #text, is_last = missing > 0, step = packet.step or "likely", start = packet.start,
+                reported = #text, step = packet.step or "likely", start = packet.start,
+                is_last = missing > 0 or begun and not begun[2] and not begun.complete_in,
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }

@@ -187,7 +187,8 @@ do
         if not claiming.is_claimed(conversation) or conversation.state == "sure" then return end
         conversation.has_frame = true
         local is_answered = conversation.state == "answered"
-        conversation.is_good = conversation.is_good or not is_answered and claiming.is_sensible(message)
+        conversation.is_good = conversation.is_good or not is_answered
+            and (message.slip ~= nil or claiming.is_sensible(message))
     end
 
     -- Counts a packet of a claimed conversation; `size` is the number of its bytes outside of frames.

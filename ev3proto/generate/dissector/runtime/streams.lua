@@ -131,9 +131,12 @@ do
     -- PART for one that has to wait, with the bytes it needs, if known, and the step of the stream; nil for no frame.
     local function judge_frame(text, at, stream, step)
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
-        if LOST[step] or stop and not is_length(text, at) then return nil end
-        local slip = finding.slip_of(text, at, stream.sent)
+        if LOST[step] then return nil end
+        local sent = at < stream.joint and stream.sent
+        if at == math.max(stream.joint, stream.start or 0) and stream.reported == #text then sent = #text end
+        local slip = finding.slip_of(text, at, sent, stream.is_last)
         if slip then return OURS, slip end
+        if stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
             local verdict = finding.judge_split(text, at, stream.accepts, stream.joint, stream.is_last)
             if not verdict then return nil end

@@ -23,6 +23,7 @@ from support.effort import THOROUGH
 from support.wireshark import Tshark
 
 from ev3proto.brick import Brick
+from ev3proto.pyshark.tshark import Tshark as Engine
 
 pytest_plugins = ["support.costs"]
 
@@ -79,8 +80,21 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 @pytest.fixture(scope="session")
 def tshark() -> Iterator[Tshark]:
-    """The tshark of EV3PROTO_TSHARK, or the default, with the dissector loaded."""
-    with Tshark.from_setting() as tshark:
+    """The tshark of EV3PROTO_TSHARK, or the default, with the dissector loaded.
+
+    What it says of itself never changes, so ev3proto, which asks before each capture, really asks once.
+    """
+    with Tshark.from_setting() as tshark, pytest.MonkeyPatch.context() as patch:
+        ask, answers = Engine.ask, dict[tuple[str, ...], str]()
+
+        def ask_once(engine: Engine, *words: str) -> str:
+            if engine.path != str(tshark.path):
+                return ask(engine, *words)
+            if words not in answers:
+                answers[words] = ask(engine, *words)
+            return answers[words]
+
+        patch.setattr(Engine, "ask", ask_once)
         yield tshark
 
 

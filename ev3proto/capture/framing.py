@@ -112,8 +112,6 @@ class Cutter:
 
     def feed(self, data: bytes, number: int) -> list[StreamPart]:
         """Takes the next bytes of the stream, from one packet. Returns the pieces that they complete."""
-        if self.takes_whole(data):
-            return [StreamPart(PartKind.FRAME, data, (number,))]
         self._marks.append((len(self._buffer), number))
         self._buffer.append(data)
         return self._cut()

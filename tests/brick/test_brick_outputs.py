@@ -251,7 +251,7 @@ class TestWaiting:
     def test_without_a_motor_nothing_turns(self) -> None:
         brick = Brick()
         command(brick, "OUTPUT_STEP_SPEED(0, 1, 50, 90, 180, 90, 1)")
-        brick.advance(3600)
+        brick.advance(120)
         assert ask(brick, BUSY) == "01"
         command(brick, "OUTPUT_PRG_STOP()")
         assert ask(brick, BUSY) == "00"

@@ -283,8 +283,6 @@ class Connections:
         repeated = half.reassembly.repeated
         self._account.repeated += repeated - half.repeated
         half.repeated = repeated
-        if len(pieces) == 1:
-            return self._piece(half, pieces[0])
         return [event for piece in pieces for event in self._piece(half, piece)]
 
     def _piece(self, half: _Half, piece: Piece | Hole | Late) -> list[Event]:

@@ -26,8 +26,7 @@ class State(Enum):
     ENDED = auto()  # claimed before: a new claim may begin anywhere in a packet
 
 
-# Faster than attributes of the class, which each packet would look up several times.
-_OPEN, _CLAIMED, _ANSWERED, _SURE, _ENDED = State
+_UNCLAIMED = (State.OPEN, State.ENDED)
 
 
 class Held(NamedTuple):
@@ -53,26 +52,26 @@ class Claim:
     schema      reads frames
     begins      tells which message types begin a claim
     to_brick    the direction to the brick, as on TCP, where replies alone begin a claim, too; else None
-    is_claimed  the packets are ours; `is_sure`: for good
+    state       its state
     """
 
     def __init__(
         self, schema: FrameReader, begins: Accepts, to_brick: Hashable | None = None, *, is_sure: bool = False
     ) -> None:
-        self._enter(_SURE if is_sure else _OPEN)
+        self.state = State.SURE if is_sure else State.OPEN
         self.to_brick = self._known = to_brick
         self.held: deque[Held] = deque(maxlen=MOST_HELD)
         self._schema, self._finder, self._begins = schema, Finder(schema), begins
         self._replies = self._strange = self._unread = 0
 
-    def _enter(self, state: State) -> None:
-        self.state = state
-        # Not properties, as they are asked several times for each packet.
-        self.is_claimed, self.is_sure = state not in (_OPEN, _ENDED), state is _SURE
+    @property
+    def is_claimed(self) -> bool:
+        """Whether the packets are ours."""
+        return self.state not in _UNCLAIMED
 
-    def begin(self, state: State = _CLAIMED) -> None:
+    def begin(self, state: State = State.CLAIMED) -> None:
         """Claims the conversation from now on."""
-        self._enter(state)
+        self.state = state
         self._replies = self._strange = self._unread = 0
         self.held.clear()
 
@@ -107,7 +106,7 @@ class Claim:
                 return Found.CHAIN, starts[-1], proved
         if side != self._known is not None:
             return (Found.CHAIN, 0, []) if self._has_replies(text) else (Found.NOTHING, len(text), [])
-        anywhere = self.state is _ENDED
+        anywhere = self.state is State.ENDED
         found, place = self._finder.find_command(text, starts, self._begins, missing, anywhere=anywhere)
         if found is Found.CHAIN and needs_reply:
             found = Found.SINGLE
@@ -124,7 +123,7 @@ class Claim:
         for index in reversed(range(len(held))):
             if any(proves(reply, command) for reply in replies for command in held[index].frames):
                 self.to_brick = held[index].side
-                self.begin(_ANSWERED)
+                self.begin(State.ANSWERED)
                 return [event for each in held[index:] for event in each.adopt()]
         return None
 
@@ -140,15 +139,15 @@ class Claim:
 
     def count(self, records: Sequence[Record], unread: int = 0) -> None:
         """Counts a packet of a claimed conversation, its frames and other bytes; that may end the claim."""
-        if not self.is_claimed or self.is_sure or not (records or unread):
+        if not self.is_claimed or self.state is State.SURE or not (records or unread):
             return
-        if self.state is _CLAIMED and any(map(_is_proof, records)):
-            self._enter(_ANSWERED)
-        if records and (self.state is _ANSWERED or any(map(_is_meant, records))):
+        if self.state is State.CLAIMED and any(map(_is_proof, records)):
+            self.state = State.ANSWERED
+        if records and (self.state is State.ANSWERED or any(map(_is_meant, records))):
             self._strange = self._unread = 0
             return
         self._strange += 1
         self._unread += unread
         # In a dialogue, the rest of a frame may come in many packets.
-        if self._strange >= STRANGE_PACKETS and (self.state is not _ANSWERED or self._unread > MAX_FRAME):
-            self._enter(_ENDED)
+        if self._strange >= STRANGE_PACKETS and (self.state is not State.ANSWERED or self._unread > MAX_FRAME):
+            self.state = State.ENDED

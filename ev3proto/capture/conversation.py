@@ -10,27 +10,13 @@ from ev3proto.capture.record import Outcome, Record, Route
 from ev3proto.dialogue import Transfers
 from ev3proto.messages import SystemCommand, SystemReply
 from ev3proto.schema.frame import FrameReader
-from ev3proto.schema.header import HEADER_SIZE, unpack_header
+from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.pairing import MOST_LABELS, Pairing, pairing_key
 from ev3proto.tables.discovery import NOT_UNLOCKED
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import MESSAGE_TYPES
 
 MOST_PENDING = 4096
 """Maximum number of pending commands of a conversation; a long capture may have a million unanswered ones."""
-
-_TYPES = {
-    int(member): (
-        member.is_command,
-        member.wants_reply,
-        member.is_error,
-        member.carries == MessageType.SYSTEM_REPLY.carries,
-    )
-    for member in MessageType
-}
-"""By the number of a type: whether it is a command, requests a reply, is an error, and is a system message."""
-
-_UNKNOWN = (True, False, False, False)
-
 
 _RECORD_SIZE = 700
 """Approximate memory of a pending record besides its frame, in bytes."""
@@ -42,9 +28,9 @@ def _size_of(record: Record) -> int:
 
 def _is_failure(record: Record) -> bool:
     """Returns whether a reply reports a failure; uploads end with END_OF_FILE. Only system replies are parsed."""
-    _, _, is_error, is_system = _TYPES[record.frame[HEADER_SIZE - 1]]
-    message = record.message if is_system else None
-    return message.is_error if isinstance(message, SystemReply) else is_error
+    member = MESSAGE_TYPES[record.frame[HEADER_SIZE - 1]]
+    message = record.message if member.carries == "system" else None
+    return message.is_error if isinstance(message, SystemReply) else member.is_error
 
 
 class Conversation:
@@ -79,17 +65,17 @@ class Conversation:
     def record(self, frame: bytes, numbers: tuple[int, ...], time_ns: int, route: Route) -> Record:
         """Returns the record of a frame. Pass every frame of the conversation once, in order, in both directions."""
         record = Record(frame, numbers, time_ns, route, self._schema)
-        known = _TYPES.get(unpack_header(frame)[2]) if len(frame) >= HEADER_SIZE else None
-        is_command, wants_reply, _, is_system = known or _UNKNOWN
-        if known is not None and not is_command:
+        member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if len(frame) >= HEADER_SIZE else None
+        is_command = member is None or member.is_command
+        if not is_command:
             self.is_locked = False
             self._pair(record)
-        elif wants_reply:
+        elif member is not None and member.wants_reply:
             self._pairing.remember(*pairing_key(frame), record, time_ns if route.is_timed else None, route.label)
         if self.is_locked:
             record.note = NOT_UNLOCKED
         record.connection = self._number_of(record, is_command=is_command)
-        if is_system:
+        if member is not None and member.carries == "system":
             self._follow_transfer(record)
         return record
 
@@ -107,7 +93,6 @@ class Conversation:
         return self.number
 
     def _pair(self, record: Record) -> None:
-        """Finds the command that a reply answers."""
         route = record.route
         time_ns = record.time_ns if route.is_timed else None
         answer = self._pairing.answered(*pairing_key(record.frame), time_ns, route.label)

@@ -140,7 +140,6 @@ def _written(moving: _Moving, pieces: _Pieces, shelf: Shelf, *, several: bool) -
 
 
 def _is_same(path: Path, other: Path) -> bool:
-    """Returns whether both files exist and have the same bytes."""
     return path.is_file() and filecmp.cmp(path, other, shallow=False)
 
 
@@ -149,8 +148,6 @@ def _is_same(path: Path, other: Path) -> bool:
 
 @dataclass(slots=True)
 class _Moving:
-    """A file during its transfer."""
-
     number: int
     path: str
     parts: tuple[str, ...]  # names of folders and file under which it is written
@@ -300,7 +297,6 @@ class _Files:
             moving.bytes += len(piece)
 
     def _moving(self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration) -> _Moving | None:
-        """Returns the file that a message belongs to, if any."""
         if entry.name in LISTINGS and not self._listings:
             return None
         if record.transfer is not None:
@@ -390,8 +386,6 @@ def _begins_image(entry: SystemDeclaration) -> bool:
 
 
 class _Pieces:
-    """The contents of files by their numbers, in a folder of their own."""
-
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._failed: dict[int, OSError] = {}

@@ -176,7 +176,6 @@ class Finder:
     def _examine(
         self, buffer: bytes, at: int, begins: Sequence[int], accepts: Accepts, missing: int, *, anywhere: bool
     ) -> Found:
-        """Returns what is at one offset."""
         size, end, is_begin = len(buffer), frame_end(buffer, at), at in begins
         if is_begin and not missing and self.slip_of(buffer[at : _next_of(begins, at, size)], self._is_plausible):
             return Found.CHAIN
@@ -206,7 +205,6 @@ class Finder:
         return is_enough and may_start(buffer, end) and self.follow(buffer, end) is not None
 
     def _fills(self, buffer: bytes, at: int, accepts: Accepts, missing: int) -> bool:
-        """Returns whether whole frames fill the bytes from an offset on."""
         frames = self.frames_of(buffer, at, missing)
         size = sum(map(frame_size, frames))
         return size == len(buffer) + missing - at and all(

@@ -235,7 +235,6 @@ class Cutter:
         return self._in_step and not self._trials and not self._may_gap
 
     def _is_in_text(self) -> bool:
-        """Returns whether the pending bytes are the beginning of a text."""
         return len(self._buffer) >= LENGTH_FIELD and self._is_part_of_text(self._buffer.pending)
 
     def _take_all(self, reason: str) -> list[StreamPart]:
@@ -264,7 +263,6 @@ class Cutter:
         return found
 
     def _take_rest(self, found: list[StreamPart]) -> int:
-        """Adds the bytes of a frame with a gap. Returns the offset after them."""
         at = min(self._rest, len(self._buffer))
         found.append(self._piece(PartKind.LOST, 0, at, self._reason))
         self._rest -= at
@@ -272,7 +270,6 @@ class Cutter:
         return at
 
     def _take_parts(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> int:
-        """Adds the pieces from an offset on. Returns the offset after them."""
         while at < len(buffer):
             if (slip := self._slip_at(buffer, at, is_last=is_last)) is not None:
                 at = self._take_slip(*slip, at, found)
@@ -342,7 +339,6 @@ class Cutter:
             self._after_text = kind if kind in _TEXTS else None
 
     def _drop(self) -> None:
-        """Removes all pending bytes."""
         self._buffer.skip(len(self._buffer))
         self._marks = []
 
@@ -434,7 +430,6 @@ class Cutter:
         return any(at < start < end for start, _ in self._marks)
 
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
-        """Returns whether the apparent start of a frame is misleading."""
         if not is_last and self._finder.may_become(buffer, at):
             return self._finder.next_step(buffer, at + 1, (), self.accepts, MOST_FOLLOWING)[0] is Found.CHAIN
         found, _ = self._finder.next_step(buffer, at + 1, self._begins(), self.accepts)
@@ -465,7 +460,6 @@ class Cutter:
         return place, False
 
     def _begins(self) -> set[int]:
-        """Returns the offsets at which packets begin."""
         return {start for start, _ in self._marks}
 
     # Texts
@@ -487,7 +481,6 @@ class Cutter:
         return (PartKind.UNLOCK, len(buffer) + 1) if self._is_part_of_text(buffer[at:]) else None
 
     def _is_part_of_text(self, part: bytes) -> bool:
-        """Returns whether these bytes are the beginning of a text."""
         if ACCEPT.startswith(part) or _REQUEST.startswith(part):
             return True
         return part.startswith(_REQUEST) and len(part) < MOST_UNLOCK
@@ -530,6 +523,5 @@ class Cutter:
         return not self._is_whole_frame(buffer, at + 1)
 
     def _is_whole_frame(self, buffer: bytes, at: int) -> bool:
-        """Returns whether a whole valid frame is at an offset."""
         end = frame_end(buffer, at)
         return end is not None and end <= len(buffer) and self._finder.is_frame(buffer, at, end)

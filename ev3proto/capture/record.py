@@ -357,7 +357,6 @@ _read: deque[Record] = deque()
 
 
 def _keep(record: Record) -> None:
-    """Caches the message of a record, and evicts the oldest one."""
     _read.append(record)
     if len(_read) > MOST_READ:
         oldest = _read.popleft()

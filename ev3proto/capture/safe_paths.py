@@ -52,7 +52,6 @@ def safe_name(name: str) -> str:
 
 
 def _shortened(name: str) -> str:
-    """Returns a name of at most MOST_BYTES, with its extension if that is short."""
     if len(name.encode()) <= MOST_BYTES:
         return name
     stem, dot, extension = name.rpartition(".")
@@ -134,7 +133,6 @@ class Shelf:
 
 
 def _is_file(path: Path) -> bool:
-    """Returns whether it is a file, not a link to one."""
     return stat.S_ISREG(path.lstat().st_mode)
 
 

@@ -118,7 +118,6 @@ def series_of(events: Iterable[Event], file: str | None = None, most: int = MOST
 
 
 def _columns(event: Record) -> Iterator[Column]:
-    """Yields the values of a message."""
     if event.request is not None:
         for value, name in _named(event):
             for suffix, cell in _cells(value):

@@ -153,8 +153,6 @@ class OperationName(NamedTuple):
 
 
 class _Peer:
-    """The counts of one connection, or of all."""
-
     def __init__(self, name: str, connection: int | None = None) -> None:
         self.counts = PeerSummary(name, connection)  # the result, which `summary` completes
         self._operations: dict[OperationName, tuple[OperationSummary, Latencies]] = {}
@@ -206,7 +204,6 @@ class _Peer:
                 latencies.add(latency)
 
     def _add_gap(self, time_ns: int) -> None:
-        """Takes the time of a reply."""
         if self._reply_ns is not None:
             self.counts.gap = max(self.counts.gap or 0.0, (time_ns - self._reply_ns) / NANOSECONDS)
         self._reply_ns = time_ns
@@ -335,7 +332,6 @@ class Statistics:
             self._move(record, record.transfer)
 
     def _command(self, record: Record, counted: tuple[_Peer, ...]) -> None:
-        """Counts a command, which may wait for its reply."""
         carried = _carried(record.message)
         for each in counted:
             each.command(record, carried)

@@ -59,7 +59,6 @@ class Clock:
         return self._last_ns
 
     def _on_its_day(self, clock_ns: int) -> int:
-        """Returns a time without a date, given the nanoseconds of its day."""
         if self._begin_ns is None:
             self._begin_ns = -clock_ns
         now_ns = clock_ns + self._begin_ns + self._days_ns
@@ -135,7 +134,6 @@ class TextLog:
         return self._record(message, Written(place), number, self._time(None, len(frame)))
 
     def _time(self, time: str | None, size: int) -> int:
-        """Counts a piece of the text, and returns its time."""
         time_ns = self._clock.at(time)
         self.account.count_packet(time_ns, size, size)
         return time_ns
@@ -153,7 +151,6 @@ class TextLog:
 
 
 def _direction(written: Written, message: Message, size: int) -> Direction:
-    """Returns a frame's direction, from the text or else its type."""
     if written.direction is not None:
         return Direction(written.direction)
     is_command = size < HEADER_SIZE if message.type is None else message.type.is_command

@@ -78,7 +78,6 @@ def _refusal(report: Report, shown: Sequence[Finding]) -> Iterator[Finding]:
 
 
 def _note(checked: Checked, report: Report, finding: Finding, nearest: Sequence[Suggestion]) -> Note:
-    """Returns a finding of a frame or a program, with what was probably meant."""
     facts, span = checked.place.facts, {"offset": finding.offset, "length": finding.length}
     packet = {"packet": facts["packet"]} if "packet" in facts else {}
     where = "".join(f"packet {number}, " for number in packet.values())
@@ -165,7 +164,6 @@ class Sarif(Output):
 
 
 def _result(note: Note) -> dict[str, Any]:
-    """Returns a note as a result of a SARIF log."""
     result: dict[str, Any] = {"ruleId": note.code, "level": _SARIF[note.severity], "message": {"text": note.sentence}}
     if note.more:
         result["properties"] = dict(note.more)
@@ -194,7 +192,6 @@ def _rule(code: str) -> dict[str, Any]:
 
 
 def _message(text: str) -> str:
-    """Returns a text as GitHub's workflow commands escape it."""
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 

@@ -165,7 +165,6 @@ def brick(
 
 
 def _report(reporter: Reporter, *, as_json: bool, errors_only: bool) -> NoReturn:
-    """Prints what `check` found in the clients' frames, and ends the program."""
     if as_json:
         for line in reporter.json_lines(errors_only=errors_only):
             say(line)

@@ -208,7 +208,6 @@ class Checking:
                     output.edited(one, self._options.shown(one.fix.report), place)
 
     def _image(self, name: str, image: bytes, found: Sequence[SourceFinding] = ()) -> None:
-        """Checks a program image, whose source may have warnings."""
         from ev3proto.program import check_program  # takes 9 ms, which frames do not need
 
         if self._options.fixes:
@@ -249,7 +248,6 @@ class Checking:
             self._show(Checked(place, report))
 
     def _show(self, checked: Checked) -> None:
-        """Counts the findings of a report, and shows them."""
         report = checked.report
         if report is not None and self._counts(report, checked.place):
             is_frame = isinstance(report, Report) and not checked.is_program
@@ -258,7 +256,6 @@ class Checking:
             self._output.show(checked._replace(shown=shown, nearest=nearest, is_whole=self._options.whole))
 
     def _counts(self, report: Report, place: FramePlace) -> bool:
-        """Counts the findings of a report, and returns whether it is shown."""
         self.tally.add(report.findings)
         severities = {finding.severity for finding in report.findings}
         if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
@@ -386,7 +383,6 @@ def _near_code(name: str, known: Iterable[str]) -> str:
 
 
 def _code_entry(code: FindingCode) -> dict[str, Any]:
-    """Returns a code for other tools."""
     return {
         "code": code.code,
         "severity": code.severity,

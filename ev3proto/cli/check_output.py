@@ -206,7 +206,6 @@ class JsonOutput(Output):
 
 
 def _complain_of_source(checked: Checked) -> None:
-    """Prints the warnings and errors of a program's source on standard error."""
     if checked.source:
         from ev3proto.cli.programs import complain_of_source  # takes 8 ms, which frames do not need
 

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 
 
 class _Decoding:
-    """Shows what is read."""
-
     def __init__(self, show: Format, reading: Reading) -> None:
         self._show = show
         self._reading = reading
@@ -64,11 +62,9 @@ class _Decoding:
                 self._image(origin, image, origin)
 
     def _parts(self, chosen: Filter | None = None) -> Iterator[Part]:
-        """Yields the sources, and prints in which of them nothing was shown."""
         return parts_of(self._reading, self.problems, lambda: self._show.count, lambda part: part.nothing(chosen))
 
     def _beside_images(self, events: Iterable[Event]) -> Iterator[Event]:
-        """Yields the events, and shows programs and problems among them."""
         for event in self.problems.beside(events):
             if isinstance(event, Image):
                 self._image(event.place.name, event.data)

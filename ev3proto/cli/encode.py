@@ -203,7 +203,6 @@ def _tell_of_pairs(message: Message) -> None:
 
 
 def _program(names: Sequence[str], path: Path | None, building: Building) -> int:
-    """Assembles a program and writes its image. Returns the exit status."""
     from ev3proto.cli.programs import encode_program  # takes 38 ms, which frames do not need
 
     names_of_frames = ("--counter", "--reply", "--no-reply", "--unchecked", "--filter", "--no-length", "--operations")

@@ -60,7 +60,6 @@ def _numbers(*, also_ignored: bool = False) -> list[signal.Signals]:
 
 @contextmanager
 def _handled_by(handler: Handler, numbers: list[signal.Signals]) -> Iterator[None]:
-    """Installs a signal handler for the length of the context."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -51,7 +51,6 @@ def help(context: click.Context, words: tuple[str, ...]) -> None:  # noqa: A001 
 
 
 def _look_up(words: tuple[str, ...]) -> None:
-    """Shows an operation, or explains a code of the checker."""
     if not re.fullmatch(r"[EWHewh]\d{3}", words[0]):
         ops.main(args=list(words), prog_name="ev3proto ops", standalone_mode=False)
         return

@@ -91,8 +91,6 @@ for _option in live.params:
 
 
 class _Watching:
-    """Shows a capture while it is written."""
-
     def __init__(self, reading: Options, *, as_json: bool) -> None:
         self._chosen = reading.filter
         self._as_json = as_json

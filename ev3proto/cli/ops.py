@@ -99,7 +99,6 @@ def _entries(dialect: str) -> list[Entry]:
 
 
 def _other_names() -> Iterator[Entry]:
-    """Yields what is explained and not listed."""
     yield from encodings()
     yield from modes()
     yield from error_numbers()
@@ -107,7 +106,6 @@ def _other_names() -> Iterator[Entry]:
 
 
 def _operation(entry: Declaration, dialect: str) -> Entry:
-    """Returns the entry of an operation."""
     area = area_of(entry.opcode)
     said = [f"{parameter.name} {parameter.text}" for parameter in entry.parameters]
     said += [" ".join(parameter.enum.members) for parameter in entry.parameters if parameter.enum is not None]
@@ -131,7 +129,6 @@ def _operation(entry: Declaration, dialect: str) -> Entry:
 
 
 def _about(entry: Declaration, area: str, dialect: str) -> Iterator[Spans]:
-    """Yields the lines about an operation under its name and text."""
     head = instruction_set(dialect)[entry.name].head
     numbers = f"opcode 0x{entry.opcode.number:02X}" + (f", CMD {entry.command.number}" if entry.command else "")
     yield [(f"  {numbers}; starts with {head.hex(' ').upper()}; area {area}", Role.ASIDE)]
@@ -149,7 +146,6 @@ def _about(entry: Declaration, area: str, dialect: str) -> Iterator[Spans]:
 
 
 def _system(entry: SystemDeclaration) -> Entry:
-    """Returns the entry of a system command."""
     said = " ".join(f"{field.name} {field.text}" for field in entry.request + entry.reply)
 
     def about() -> Iterator[Spans]:
@@ -173,7 +169,6 @@ def _system(entry: SystemDeclaration) -> Entry:
 
 
 def _status(status: SystemStatus) -> Entry:
-    """Returns the entry of a status of system replies."""
     text = f"The system command {'failed' if status.is_failure else 'worked'}"
     notes = [f"{entry.name}: {meaning}" for entry in SYSTEM for known, meaning in entry.statuses if known is status]
     if status in UNUSED_STATUSES:

@@ -112,7 +112,6 @@ class Printer:
 
 
 def _painted(line: Spans) -> str:
-    """Returns a line with its colours as escape sequences."""
     return "".join(
         click.style(visible(text), **COLOURS[role]) if role in COLOURS else visible(text) for text, role in line
     )
@@ -210,8 +209,6 @@ def is_terminal() -> bool:
 
 
 class _Bytes:
-    """Standard output for bytes, which raises OutputError."""
-
     def write(self, data: bytes) -> int:
         """Writes bytes to the buffer. Raises OutputError."""
         with writing_output() as stream:

@@ -126,8 +126,6 @@ def proxy(
 
 
 class _Shown:
-    """Shows each command with its reply as soon as it arrives."""
-
     def __init__(self, *, as_json: bool, is_quiet: bool) -> None:
         self.start_ns = 0
         self._dialogues = None if is_quiet else Dialogues(made("json" if as_json else None))
@@ -149,7 +147,6 @@ def _failing(target: Target, *, is_masked: bool) -> Iterator[None]:
 
 
 def _place(listen: str) -> tuple[str, int]:
-    """Returns the address and port to listen on. Raises click.BadParameter."""
     try:
         found = Target.parse(listen) if not listen.endswith(":0") else Target.parse(listen[:-2])
         if found.way is not Way.WIFI:

@@ -111,7 +111,6 @@ def files(names: Sequence[str]) -> list[Given]:
 
 
 def _are_bytes(names: Sequence[str]) -> bool:
-    """Whether each word is one byte or a few."""
     if all(_GROUP.fullmatch(name) for name in names):
         return True
     return all(_NUMBER.fullmatch(name) for name in names) and not any(is_file(name) for name in names)

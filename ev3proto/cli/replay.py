@@ -130,8 +130,6 @@ def _why(harms: Mapping[Harm, str]) -> str:
 
 
 class _Replaying:
-    """Sends the steps and shows the results."""
-
     def __init__(
         self,
         channel: Channel,
@@ -199,7 +197,6 @@ class _Replaying:
             self._printer.lines([[(f"{'':20} {difference}", role)]])
 
     def _exchange(self, frame: bytes) -> bytes | None:
-        """Sends a frame. Returns its reply; None if there is none."""
         ticket = self._channel.send_again(frame)
         try:
             return self._channel.wait(ticket, self._timeout) or None

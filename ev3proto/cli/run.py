@@ -110,7 +110,6 @@ def _image(file: Path) -> bytes:
 
 
 async def _run(image: bytes, name: str, options: Options, root: Path, limit: float | None, slot: int) -> int:
-    """Runs the program until it ends. Returns the exit status."""
     with failing_on(ServerError):
         async with running(options, root, complain) as now:
             with interrupted() as ended:
@@ -129,7 +128,6 @@ async def _run(image: bytes, name: str, options: Options, root: Path, limit: flo
 
 
 async def _first(*events: asyncio.Event) -> None:
-    """Waits for the first of several events."""
     waiting = [asyncio.create_task(event.wait()) for event in events]
     await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
     for task in waiting:
@@ -148,7 +146,6 @@ def _start(brick: Brick, image: bytes, name: str, slot: int) -> Program | None:
 
 
 def _ending(brick: Brick, program: Program) -> int:
-    """Prints how the program ended. Returns the exit status."""
     if program.status == RUNNING:
         complain("the program was ended before its own end")
         return 0

@@ -48,8 +48,6 @@ def stats(files: tuple[str, ...], reading: Options, as_json: bool) -> None:
 
 
 class _Page:
-    """The output, in sections."""
-
     def __init__(self, summary: Summary, unit: str) -> None:
         self._summary = summary
         self._unit = unit

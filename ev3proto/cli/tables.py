@@ -69,7 +69,6 @@ class Tables:
 
 
 def _widths(rows: list[list[str]]) -> list[int]:
-    """Returns the widths of unfolded columns, in cells of a terminal."""
     from rich.cells import cell_len  # takes 1 ms, and is a part of the console
 
     return [max(map(cell_len, column)) for column in zip(*rows, strict=True)]

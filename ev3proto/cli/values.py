@@ -88,7 +88,6 @@ def _show(found: Series, form: str, plot: Path | None, captures: Reading) -> Non
 
 
 def _narrowed(found: Series, form: str) -> Series:
-    """Returns the series with no more columns than a format has."""
     most = MOST_COLUMNS.get(form, MOST_SHOWN)
     if len(found.units) <= most:
         return found

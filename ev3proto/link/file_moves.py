@@ -93,7 +93,6 @@ def _cleared(part: str, error: BaseException | None = None) -> Task[None]:
 
 
 def _tell(error: BaseException, sentence: str) -> None:
-    """Adds a sentence to an error."""
     if isinstance(error, LinkError):
         error.args = (f"{error}; {sentence}",)
     else:
@@ -183,7 +182,6 @@ def _read(
 
 
 def _listing_of(path: str) -> Task[Listing]:
-    """Lists the folder of a file."""
     return (yield from list_dir(posixpath.dirname(path) or ("/" if path.startswith("/") else ".")))
 
 

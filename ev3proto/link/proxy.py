@@ -245,7 +245,6 @@ class Proxy:
     # The brick
 
     def _read(self) -> None:
-        """Reads from the brick, in a thread of its own."""
         try:
             while self._is_reading:
                 if self._is_renewed:

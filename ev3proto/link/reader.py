@@ -129,7 +129,6 @@ class Reader:
         self._transfers.clear()
 
     def _exchange_next(self) -> Generator[bytes, bytes | None, None]:
-        """Reads the next piece of what is open."""
         ((handle, name),) = self._transfers.items()
         yield from self._exchange((continue_list_files if name in LISTINGS else continue_upload)(handle))
 

@@ -159,7 +159,6 @@ class Passing:
         self._leave(client)
 
     def _leave(self, client: Client) -> None:
-        """Ends what a client has left open."""
         self._endings.append(client.transfers.ending())
         if len(self._endings) == 1:
             self._end(None)
@@ -302,7 +301,6 @@ class Guard:
         self._owner.send(self._request.frame)
 
     def _done(self, sent: Sent, outcome: Outcome) -> None:
-        """Answers a client's command, which queues up with its next one."""
         reply, client = outcome.reply, sent.client
         client.waiting.popleft()
         if client.waiting:

@@ -130,7 +130,6 @@ def compare(step: Step, frame: bytes, reply: bytes | None, dialect: str) -> tupl
 
 
 def _of_values(recorded: Sequence[Value], values: Sequence[Value]) -> tuple[Likeness, str]:
-    """Returns how the values of a reply compare with the recorded ones."""
     pairs = zip(recorded, values, strict=False)
     changed = [was for was, is_now in pairs if was.value != is_now.value and was.name != _HANDLE]
     more = f" and {len(changed) - _MOST_DIFFERENCES} more" if len(changed) > _MOST_DIFFERENCES else ""
@@ -142,7 +141,6 @@ def _of_values(recorded: Sequence[Value], values: Sequence[Value]) -> tuple[Like
 
 
 def _handle_of(message: Message) -> int | None:
-    """Returns the handle in a command."""
     handle = message.fields.get(_HANDLE) if isinstance(message, SystemCommand) else None
     return handle if isinstance(handle, int) else None
 

@@ -78,7 +78,7 @@ class StreamClaim(Claim):
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
         """Counts the events of a packet, and adds those of the pending bytes if that ends the claim."""
-        if self.is_sure:
+        if self.state is State.SURE:
             return events
         records, unread = [], stream.cutter.passed
         for event in events:
@@ -178,7 +178,6 @@ class StreamClaim(Claim):
         return events + self._counted(stream, self._started(stream, left))
 
     def _started(self, stream: Stream, pieces: list[Piece]) -> list[Event]:
-        """Returns the events of pieces that begin with a frame."""
         stream.cutter.accepts = self._goes_out if _side(stream) is self.to_brick else self._comes_back
         stream.cutter.begin(in_step=True)
         return [event for piece in pieces for event in stream.feed(piece)]
@@ -190,7 +189,6 @@ def _side(stream: Stream) -> Direction:
 
 
 def _after(pieces: list[Piece], place: int) -> list[Piece]:
-    """Returns the pieces from an offset in their bytes on."""
     left: list[Piece] = []
     for piece in pieces:
         if place < len(piece.data):

@@ -52,7 +52,6 @@ def find_field(name: str) -> Name | None:
 
 
 def _places_of(name: str) -> list[FieldPlace]:
-    """Returns the parameters and fields that a name means."""
     owner, _, base = name.upper().rpartition(".")
     base = base.partition("[")[0]
     places = _places().get(base) or [
@@ -65,7 +64,6 @@ def _places_of(name: str) -> list[FieldPlace]:
 
 
 def _kind(places: Sequence[FieldPlace]) -> Kind:
-    """Returns the type of the values at some places."""
     held = {place.holds for place in places}
     return Kind(
         " or ".join(text for type_, text in _WHAT.items() if type_ in held),
@@ -151,7 +149,6 @@ def _holds(kind: FieldKind) -> type:
 
 @cache
 def _places() -> dict[str, list[FieldPlace]]:
-    """Returns all places by their names in upper case."""
     found = [_place(entry, parameter) for entry in _declared() for parameter in entry.parameters]
     for command in SYSTEM:
         fields = (*command.request, *command.reply)

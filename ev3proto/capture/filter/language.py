@@ -126,8 +126,6 @@ def compile_filter(text: str) -> Filter:
 
 
 class _Parser:
-    """A recursive-descent parser that builds conditions."""
-
     def __init__(self, text: str, time: Callable[[Record], float]) -> None:
         self.looks_ahead = False  # a name was used that is known only after the reply
         self.hint = ""
@@ -215,7 +213,6 @@ class _Parser:
         return _some(name, lambda held: any(test(held) for test in tests))
 
     def _member(self, text: str, name: Name) -> Test:
-        """Parses one value or range in braces."""
         word = self._value()
         low, dots, high = word.text.partition("..")
         if word.is_quoted or not dots:
@@ -273,10 +270,8 @@ def _negated(part: Condition) -> Condition:
 
 
 def _values(name: Name, records: Sequence[Record]) -> list[FilterValue]:
-    """Returns the known values of a name."""
     return [held for record in records for held in name.read(record) if held.value is not None]
 
 
 def _some(name: Name, test: Test) -> Condition:
-    """Returns the condition that at least one value passes a test."""
     return lambda records: any(map(test, _values(name, records)))

@@ -119,7 +119,6 @@ def _late(record: Record) -> bool:
 
 
 def _meant(word: str) -> str:
-    """Returns a hint if the word is an operation or a command."""
     upper = word.upper()
     if upper in operation_names():
         return f"; it is an operation: op=={upper}"
@@ -127,8 +126,6 @@ def _meant(word: str) -> str:
 
 
 def _is_member_of(name: str) -> Callable[[str], str]:
-    """Makes the hint for a value that belongs to the parameter of the same name."""
-
     def hint(word: str) -> str:
         field = find_field(name)
         known = field is not None and any(word.upper() in enum.members for enum in field.kind.enums)
@@ -302,7 +299,6 @@ _OF_WIRESHARK = {
 
 
 def _unknown(text: str) -> str:
-    """Returns the error for an unknown name, with a suggestion."""
     upper, lower = text.upper(), text.lower()
     for name, fields in _OF_WIRESHARK.items():
         if lower in fields.split():
@@ -317,7 +313,6 @@ def _unknown(text: str) -> str:
 
 
 def _near(text: str, *, is_dotted: bool) -> str:
-    """Returns a suggestion for a misspelt name; empty if no name resembles it."""
     places = places_of()
     dotted = [f"{owner}.{name}" for name, owners in places.items() for owner in owners] if is_dotted else ()
     return near_misses(text, [*places, *NAMES, *dotted])

@@ -186,7 +186,6 @@ class Kind:
             yield lambda held: isinstance(held.value, bytes) and data in held.value
 
     def _error(self, name: str, relation: str, word: Word) -> str:
-        """Returns the reason why the name and the word cannot be compared."""
         text, written = word.text, f'"{word.text}"' if word.is_quoted else word.text
         members = self.names or tuple(member for enum in self.enums for member in enum.members)
         if relation == "==" and members and (self.names or not (word.is_quoted or word.number is not None)):
@@ -200,7 +199,6 @@ class Kind:
         return f"{name} is {self.what}; it cannot be compared by {relation} with {written}"
 
     def _unknown(self, name: str, text: str, members: Sequence[str]) -> str:
-        """Returns the sentence about an unknown name, with suggestions."""
         unknown = f"unknown {self.what} {text}" if self.names else f"{name} has no value {text}"
         if "*" in text:
             return f"{unknown}; use like for patterns"

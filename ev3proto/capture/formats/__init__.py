@@ -159,7 +159,6 @@ class CaptureFile:
 
 
 def _size(stream: BinaryIO) -> int | None:
-    """Returns the size of a file in bytes; None for a pipe or another stream."""
     try:
         found = os.fstat(stream.fileno())
     except (OSError, AttributeError):

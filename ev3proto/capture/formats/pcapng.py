@@ -35,8 +35,6 @@ MOST_NAME = 1024
 
 @dataclass(slots=True)
 class _InterfaceTime:
-    """The clock of an interface."""
-
     interface: Interface
     most: int
     per_second: int = 1_000_000
@@ -67,8 +65,6 @@ class _Block(NamedTuple):
 
 
 class _Section:
-    """A section: its byte order and its interfaces."""
-
     def __init__(self, order: str) -> None:
         self.order = order
         self.block = struct.Struct(order + "II")  # type, length
@@ -92,7 +88,6 @@ class _Section:
         self.clocks.append(clock)
 
     def _set(self, clock: _InterfaceTime, code: int, value: bytes) -> None:
-        """Takes an option of an interface."""
         if code == NAME:
             name = value.split(b"\0", 1)[0][:MOST_NAME].decode("utf-8", "replace")
             name += "..." if len(value) > MOST_NAME else ""

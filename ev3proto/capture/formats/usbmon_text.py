@@ -76,7 +76,6 @@ class _Clock:
 
 
 def _header(found: re.Match[str], size: int, captured: int) -> bytes:
-    """Returns usbmon's binary header for a line."""
     from ev3proto.capture.carriers.usb.requests import USBMON  # takes 8 ms, which other formats do not need
 
     return USBMON["<"].pack(

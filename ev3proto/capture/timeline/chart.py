@@ -162,7 +162,6 @@ class _Chart:
     # Rows
 
     def _panel(self, brick: str, tally: Tally, bricks: set[str]) -> None:
-        """Adds the view of one brick, and its data."""
         number, timeline = len(self.views), self._timeline
         lanes: Counter[Lane] = Counter()
         marks = [mark for mark in timeline.marks if mark.lane.brick in bricks]
@@ -201,7 +200,6 @@ class _Chart:
         self.views.append(self._view(number, rows) | {"title": _heading(brick, [", ".join(aside)])})
 
     def _rows(self, lanes: Counter[Lane], rows: list[str], row_of: dict[Lane, str]) -> None:
-        """Adds a row for each subject; if there are many, the rarest share one."""
         subjects: Counter[str] = Counter()
         for lane, number in lanes.items():
             subjects[lane.subject] += number
@@ -349,7 +347,6 @@ class _Chart:
         return _timed("cells", rect, {"x": x, "x2": {"field": "e"}, "y": y, "fill": fill}, where)
 
     def _latency(self) -> list[Json]:
-        """Returns the view of the latencies, if there are any."""
         data = (datum for data in self.datasets.values() for datum in data)
         found = [datum[name] for datum in data for name in ("low", "ms") if name in datum]
         if not found:

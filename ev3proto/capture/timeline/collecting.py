@@ -90,8 +90,6 @@ def collect_in_steps(
 
 @dataclass(slots=True)
 class _Move:
-    """A file being moved."""
-
     moved: Moved
     brick: str
     begin: tuple[float, int]
@@ -190,7 +188,6 @@ class _Collector:
         return True
 
     def _exchange(self, command: Record | None, reply: Record | None) -> None:
-        """Adds a command and its reply, or one of them alone."""
         seen = command or reply
         assert seen is not None
         assert seen.message.type is not None
@@ -211,7 +208,6 @@ class _Collector:
     def _point(
         self, event: Event, kind: LaneKind, subject: str, outcome: MarkState, heading: str, details: dict[str, str]
     ) -> None:
-        """Adds a mark without an end and a label."""
         mark = Mark(self._lane(self._brick(event.route), kind, subject), outcome, self._at(event), None, "", {}, 0)
         mark.number = _number(event)
         mark.tip = self._tip(heading, mark, event, {"packet": _packets(event), **details})

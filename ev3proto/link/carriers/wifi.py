@@ -73,7 +73,6 @@ def discover(serial_number: str | None, timeout: float, *, interface: str = "", 
 
 
 def _found(beacon: Beacon, address: str) -> Found | None:
-    """Returns a brick by its beacon; None if the beacon makes no sense."""
     serial_number = beacon.serial.lower()
     if beacon.tcp_port is None or not _DIGITS.fullmatch(serial_number):
         return None

@@ -125,8 +125,6 @@ class _Part:
 
 @dataclass(slots=True)
 class _Connection:
-    """One connection of an adapter."""
-
     address: str | None
     generation: int
     # the L2CAP channels of RFCOMM, with their directions
@@ -259,7 +257,6 @@ def _address(data: bytes) -> str:
 
 
 def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> Serial | None:
-    """Returns the RFCOMM frame in an L2CAP packet, if there is one."""
     _, channel = L2CAP.unpack_from(part.data)
     data = part.data[L2CAP.size : part.size]
     way = is_from_host, channel

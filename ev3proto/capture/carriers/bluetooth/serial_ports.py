@@ -61,7 +61,6 @@ class SerialPorts:
             yield from self._end(connection)
 
     def _end(self, connection: object) -> list[Event]:
-        """Ends both streams of a connection."""
         events: list[Event] = []
         for way in (True, False):
             stream = self._streams.pop((connection, way), None)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ev3proto.bounded import Bounded
 from ev3proto.capture.carriers.streams import Context
 from ev3proto.capture.carriers.usb.requests import INTERRUPT, Urb, urb
-from ev3proto.capture.claims import Claim
+from ev3proto.capture.claims import Claim, State
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.evidence import is_sensible
 from ev3proto.capture.packets import Packet
@@ -52,7 +52,7 @@ class Reports:
         if found is not None and found.transfer == INTERRUPT and len(found.data) >= HEADER_SIZE:
             claim = self._claims.use(found.device, self._claim)[0]
             is_big = len(found.data) + packet.size - len(packet.data) == MAX_FRAME
-            is_sure = claim.is_sure or (is_big and self._context.is_all)
+            is_sure = claim.state is State.SURE or (is_big and self._context.is_all)
             earlier = [] if is_sure else self._earlier(claim, packet, found)
             if earlier is not None:
                 return [*earlier, self._event(claim, packet, found)]
@@ -105,7 +105,6 @@ class Reports:
         return earlier if claim.is_claimed else None
 
     def _event(self, claim: Claim, packet: Packet, found: Urb) -> Event:
-        """Returns the event of a claimed report."""
         data, frame = found.data, found.frame
         self._account.headers += len(packet.data) - len(data)
         route = self._route(found.device, found.is_from_host, packet)

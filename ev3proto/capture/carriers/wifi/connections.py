@@ -64,7 +64,6 @@ _REPLIES = frozenset(int(member) for member in MessageType if not _may_go_to_bri
 
 
 def _transport(link: int, data: bytes) -> Transport | None:
-    """Returns the segment or datagram in a packet, if there is one."""
     found = usual_transport(link, data)
     return layers.dissected(link, data) if found is None else found
 
@@ -158,7 +157,6 @@ class Connections:
     # TCP
 
     def _is_ours(self, ends: Ends, data: bytes) -> bool:
-        """Returns whether a new connection may be a brick's."""
         return target_port(ends) in self._ports or source_port(ends) in self._ports or self._is_elsewhere(ends, data)
 
     def _is_elsewhere(self, ends: Ends, data: bytes) -> bool:
@@ -189,7 +187,6 @@ class Connections:
         return not is_source and self._elsewhere.get(_both_ways(ends)) == target_of(ends)
 
     def _segment(self, packet: Packet, segment: Transport, half: _Half | None) -> Iterable[Event]:
-        """Returns the events that a segment completes."""
         ends, data, sequence, acknowledged, flags = segment
         assert flags is not None
         if half is None and not self._is_ours(ends, data):
@@ -243,7 +240,6 @@ class Connections:
         return begun
 
     def _taken(self, half: _Half, sequence: int, piece: Piece, packet: Packet) -> list[Event]:
-        """Returns the events that the data of a segment complete."""
         stream, reassembly = half.stream, half.reassembly
         stream.packet = packet
         if reassembly.takes_next(sequence, piece):
@@ -259,7 +255,6 @@ class Connections:
         return events
 
     def _weigh(self, half: _Half) -> None:
-        """Updates the budget with the pending bytes of a direction."""
         size = half.reassembly.waiting + half.stream.size + half.claim.waiting(half.side)
         if size != half.size:
             half.size = size
@@ -279,7 +274,6 @@ class Connections:
         return events
 
     def _given(self, half: _Half, pieces: list[Piece | Hole | Late]) -> list[Event]:
-        """Returns the events of reassembled pieces, and counts repeated bytes."""
         repeated = half.reassembly.repeated
         self._account.repeated += repeated - half.repeated
         half.repeated = repeated

@@ -2536,18 +2536,18 @@ local FINDINGS = {
     NEVER_RUNS = { "E201", "{byte} is {owner}, which the firmware never runs" },
     REFUSED = { "E204", "{name} is {value}, but the brick accepts only {accepted} in a first parameter" },
     LABEL_NUMBER = { "E206", "{name} is {value}, but labels are 0 to 31" },
-    TRUNCATED = { "E301", "{name} is {value}, which the brick truncates to {read}: it is {type}" },
+    TRUNCATED = { "E301", "{name} is {value}, which the brick truncates to {read}: it is a {type}" },
     WRITTEN = { "E302", "{name} is a constant, but the brick writes to it" },
     NUMBER = { "E303", "{name} is the number {value}, but the brick reads a text" },
     TEXT = { "E304", "{name} is a text, but the brick reads a {kind}" },
     WHOLE = { "E305", "{name} is the whole number {value}, but the brick reads its bits as a float" },
     LABEL = { "E307", "{byte} is LAB1, a label: the brick puts the place of label {value} here, not a number" },
-    NEGATIVE = { "W301", "{name} is {value}, which the brick reads as {read}: it is {type}" },
+    NEGATIVE = { "W301", "{name} is {value}, which the brick reads as {read}: it is a {type}" },
     NAN = { "W302", "{name} is {value}, which means \"not a number\"" },
     NAN_FLOAT = { "W302", "{name} is {value}, which means \"not a number\"" },
-    OUTSIDE = { "W303", "{name} is {value}{outside}{aside}" },
+    OUTSIDE = { "W303", "{name} is {value}{outside}[; the brick reads it as {read}]" },
     MASK = { "W303", "{name} is {value}, the bit mask of {ports}, but it takes the number of one port" },
-    NO_MEMBER = { "W304", "{name} is {value}{outside}{aside}" },
+    NO_MEMBER = { "W304", "{name} is {value}{outside}[; the brick reads it as {read}]" },
     LABEL_BYTE = { "W305", "{byte} is LAB1, a label, but labels are 1 to 31: the brick takes this one as the number {read}" },
     LONG = { "E502", "{name} has {characters}; the firmware accepts at most {most}" },
     NO_PORTS = { "H702", "{name} is 0, a bit mask without a port, so {owner} does nothing" },
@@ -3305,6 +3305,8 @@ do
     -- Returns what `ev3proto check` says, by the key of its words.
     function phrases.finding(key, values)
         local code, words = FINDINGS[key][1], FINDINGS[key][2]
+        -- Words in brackets are about a value that `values` may lack.
+        words = gsub(words, "%[(.-{(%w+)}.-)%]", function(part, name) return values(name) and part or "" end)
         return phrases.filled(words, values) .. " (" .. code .. ")", code
     end
 
@@ -3459,9 +3461,8 @@ do
     -- How the values in the words about a constant are written, by their names, if they are not in `about`.
     local PARTS = {
         value = function(about) return spelled(about.parameter, about.encoding, about.value) end,
-        read = function(about) return format("%d", about.read) end,
-        aside = function(about) return about.read and format("; the brick reads it as %d", about.read) or "" end,
-        type = function(about) return "a " .. about.parameter.limits.text end,
+        read = function(about) return about.read and format("%d", about.read) end,
+        type = function(about) return about.parameter.limits.text end,
         accepted = function(about) return about.parameter.accepted.named end,
         outside = function(about) return about.parameter.outside[1] end,
         byte = function(about) return format("0x%02X", about.byte) end,
@@ -6371,4 +6372,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 61329d86311e1521
+-- Checksum of the lines above, by which a changed file is recognised: eb8dca6dc30fe81f

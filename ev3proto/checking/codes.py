@@ -7,6 +7,7 @@ messages between bricks, 9 encodings.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -27,10 +28,24 @@ from ev3proto.tables.validation import LABELS
 
 @dataclass(frozen=True)
 class Words:
-    """What a finding says: templates with named parts, such as {name} and {value}."""
+    """What a finding says: templates with named parts, such as {name} and {value}.
+
+    Words in brackets, such as `[ on {carrier}]`, are left out if one of their parts is None.
+    """
 
     message: str
     help: str
+
+    def filled(self, parts: Mapping[str, object]) -> tuple[str, str]:
+        """Returns message and help with their parts."""
+
+        def optional(found: re.Match[str]) -> str:
+            return "" if None in map(parts.get, re.findall(r"\{(\w+)", found[1])) else found[1]
+
+        message, help_ = (
+            re.sub(r"\[([^]]*)\]", optional, each).format_map(parts) for each in (self.message, self.help)
+        )
+        return message, help_
 
 
 _Texts = Mapping[Wrong | Role | str, Words]
@@ -54,18 +69,6 @@ class FindingCode(NamedTuple):
         """How bad it is."""
         return _SEVERITIES[self.code[0]]
 
-    def finding(
-        self,
-        offset: int,
-        length: int,
-        message: str,
-        help_: str,
-        operation: str | None = None,
-        parameter: str | None = None,
-    ) -> Finding:
-        """Returns a finding with this code; the parameters are those of `Finding`."""
-        return Finding(self.severity, self.code, offset, length, message, help_, operation, parameter)
-
     def at(self, offset: int, length: int, key: Wrong | Role | str = "", /, **parts: object) -> Finding:
         """Returns a finding in the words of this code.
 
@@ -75,12 +78,13 @@ class FindingCode(NamedTuple):
             key: Of the words.
             parts: What the words name; `owner` is the operation or system command, `name` the parameter or field.
         """
-        words = self.words[key]
-        message, help_ = words.message.format(**parts), words.help.format(**parts)
+        message, help_ = self.words[key].filled(parts)
         owner, name = [None if parts.get(part) is None else str(parts[part]) for part in ("owner", "name")]
-        return self.finding(offset, length, message, help_, owner, name)
+        return Finding(self.severity, self.code, offset, length, message, help_, owner, name)
 
 
+UNNOTICED = "unnoticed"
+"""The key of words about bytes that the brick runs as operations without noticing."""
 NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT = "NO_PORTS", "NEVER_RUNS", "MAILBOX_NAME", "MAILBOX_CONTENT"
 """The keys of words that the dissector says, too: a bit mask without a port, an opcode that never runs, what is too
 long for a mailbox."""
@@ -131,10 +135,16 @@ def opcode(name: str) -> str:
 _NOP = opcode("NOP")
 _USE_AN_OPCODE = "use an opcode, and check the length of what is before it"
 _OTHER_CMD = "use a CMD of {owner}; `ev3proto ops {owner}` lists them"
+_REFUSED_LATER = "[; the brick reads the next bytes as operations, and refuses the command at offset {refused_at}]"
+_UNNOTICED = "; the brick does not notice, and runs the next bytes as operations"
+_COUNT = "{name} is [{value}][{encoding}, which is not a number]"
+_OTHER_COUNT = "use the number of values that follow, as a constant"
+_UNASKED = "the type does not ask for a reply, but the reply to {owner} has"
+_FAILS = "{owner} ends the command with an error on every brick"
 _MISREAD = "the 2013 firmware does not know {owner} and reads its arguments as operations"
 _BEYOND = Words(
     "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory",
-    "{more}use a lower index{limit}",
+    "[request {room} of {scope} memory, or ]use a lower index[; {scope} memory has at most {limit}]",
 )
 
 TONE = _sized("2A:00|80|00:00|94:01:01:82:B8:01:82:E8:03")
@@ -180,8 +190,8 @@ LEFT_OVER = _code(
     _frame("08:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
     _frame("0B:00|2A:00|80|00:00|82:1B:02:82:1B:01"),
     words={
-        "": Words(STATED, "set the length to {follow}{omit}"),
-        "too long": Words(STATED, "use a length of at most {most}{omit}"),
+        "": Words(STATED, "set the length to {follow}[, or omit the last {over}]"),
+        "too long": Words(STATED, "use a length of at most {most}[, or omit the last {over}]"),
     },
 )
 TOO_LONG = _code(
@@ -196,7 +206,7 @@ TOO_LONG = _code(
     """,
     _sized("2A:00|80|00:00|" + "01:" * 1017 + "01"),
     _sized("2A:00|80|00:00|" + "01:" * 1016 + "01"),
-    words=Words("a frame has at most {most} bytes{on}, this one has {size}", "send it in several frames"),
+    words=Words("a frame has at most {most} bytes[ on {carrier}], this one has {size}", "send it in several frames"),
 )
 UNKNOWN_TYPE = _code(
     "E105",
@@ -407,7 +417,7 @@ SPINS = _code(
     _sized("2A:00|80|00:04|2F:40:01:01"),
     words={
         "": Words(
-            "{name} is {count}: the brick reads millions of values before it does anything else",
+            f"{_COUNT}: the brick reads millions of values before it does anything else",
             "use the number of values that follow, 0 or more",
         ),
         "unread": Words(
@@ -425,7 +435,10 @@ UNKNOWN_CMD = _code(
     """,
     _sized("2A:00|80|00:00|94:07:01"),
     _sized("2A:00|80|00:00|94:00:01"),
-    words=Words("{owner} has no CMD {value}{consequence}", _OTHER_CMD),
+    words={
+        "": Words(f"{{owner}} has no CMD {{value}}{_REFUSED_LATER}", _OTHER_CMD),
+        UNNOTICED: Words(f"{{owner}} has no CMD {{value}}{_UNNOTICED}", _OTHER_CMD),
+    },
 )
 VARIABLE_CMD = _code(
     "E209",
@@ -463,7 +476,10 @@ BAD_COUNT = _code(
     """,
     _sized("2A:00|80|00:14|2F:44:40:01"),
     _sized("2A:00|80|00:04|2F:40:01:01"),
-    words=Words("{name} is {value}{consequence}", "use the number of values that follow, as a constant"),
+    words={
+        "": Words(f"{_COUNT}{_REFUSED_LATER}", _OTHER_COUNT),
+        UNNOTICED: Words(f"{_COUNT}{_UNNOTICED}", _OTHER_COUNT),
+    },
 )
 NEWER = _code(
     "E212",
@@ -486,7 +502,10 @@ FAILS = _code(
     """,
     _sized("2A:00|00|00:00|D1:01:00:00:00"),
     _sized("2A:00|00|00:00|01"),
-    words=Words("{owner} ends the command with an error on every brick: {reason}", "omit it"),
+    words={
+        "": Words(f"{_FAILS}: {{reason}}", "omit it"),
+        "no code": Words(f"{_FAILS}: the firmware has no code for it that a command can use", "omit it"),
+    },
 )
 NEWER_ACCEPTED = _code(
     "W201",
@@ -513,7 +532,7 @@ TRUNCATED = _code(
     _sized("2A:00|80|00:00|A3:00:82:2C:01:01"),
     _sized("2A:00|80|00:00|A3:00:01:01"),
     words={
-        Wrong.TRUNCATED: Words("{name} is {value}, which the brick truncates to {read}: it is {type}", "use {legal}")
+        Wrong.TRUNCATED: Words("{name} is {value}, which the brick truncates to {read}: it is a {type}", "use {legal}")
     },
 )
 CONSTANT_OUTPUT = _code(
@@ -527,7 +546,8 @@ CONSTANT_OUTPUT = _code(
     VOLTAGE,
     words={
         Wrong.WRITTEN: Words(
-            "{name} is a constant, but the brick writes to it", "use a variable{large}: global for the reply, or local"
+            "{name} is a constant, but the brick writes to it",
+            "use a variable[ large enough for {sized}]: global for the reply, or local",
         )
     },
 )
@@ -605,7 +625,7 @@ NEGATIVE = _code(
     _sized("2A:00|80|00:04|30:00:40|9F:00:00:01:81:C8"),
     words={
         Wrong.NEGATIVE: Words(
-            "{name} is {value}, which the brick reads as {read}: it is {type}",
+            "{name} is {value}, which the brick reads as {read}: it is a {type}",
             "write {read} if these bits are meant, otherwise a number that fits",
         )
     },
@@ -635,7 +655,7 @@ OUT_OF_RANGE = _code(
     _sized("2A:00|80|00:00|94:01:01:82:C8:00:82:E8:03"),
     TONE,
     words={
-        Wrong.OUTSIDE: Words("{name} is {value}{outside}{aside}", "use {legal}"),
+        Wrong.OUTSIDE: Words("{name} is {value}{outside}[; the brick reads it as {read}]", "use {legal}"),
         Wrong.MASK: Words(
             "{name} is {value}, the bit mask of {ports}, but it takes the number of one port", "use {letters}"
         ),
@@ -650,7 +670,7 @@ NO_MEMBER = _code(
     """,
     _sized("2A:00|80|00:00|82:1B:1F"),
     _sized("2A:00|80|00:00|82:1B:01"),
-    words={Wrong.NO_MEMBER: Words("{name} is {value}{outside}{aside}", "use {legal}")},
+    words={Wrong.NO_MEMBER: Words("{name} is {value}{outside}[; the brick reads it as {read}]", "use {legal}")},
 )
 NUMBER_AS_LABEL = _code(
     "W305",
@@ -765,7 +785,12 @@ UNWRITTEN = _code(
     """,
     _sized("2A:00|00|04:04|D3:01:40:60"),
     _sized("2A:00|00|04:04|30:02:40|D3:01:40:60"),
-    words=Words("no operation writes {variable}, so {name} is {value}", "use {legal}, or write the variable first"),
+    words={
+        "": Words("no operation writes {variable}, so {name} is always 0", "use {legal}, or write the variable first"),
+        "text": Words(
+            "no operation writes {variable}, so {name} is an empty text", "use a text, or write the variable first"
+        ),
+    },
 )
 UNALIGNED = _code(
     "W405",
@@ -806,7 +831,10 @@ UNUSED_MEMORY = _code(
     """,
     _sized("2A:00|00|20:00|81:01:60"),
     VOLTAGE,
-    words=Words("the header requests {asked} of {scope} memory, but {share} used", "request {end}"),
+    words={
+        "": Words("the header requests {asked} of {scope} memory, but only {end} are used", "request {end}"),
+        "none": Words("the header requests {asked} of {scope} memory, but none are used", "request 0"),
+    },
 )
 
 PARTLY_WRITTEN = _code(
@@ -843,7 +871,7 @@ ARRAY_TOO_SHORT = _code(
         ),
         "bytes": Words(
             "{length} says that {name} has {stated}, but it has {present}, including its zero",
-            "{count}add the missing bytes, up to {stated}",
+            "[set {length} to {count}, or ]add the missing bytes, up to {stated}",
         ),
     },
 )
@@ -879,7 +907,7 @@ NO_HANDLE = _code(
             "create the array in the same command, and use the handle that it gives",
         ),
         "number": Words(
-            "{name} is {number}, but the command has only the handle{handles}",
+            "{name} is {number}, but the command has only {handles}",
             "use the variable in which the handle was stored",
         ),
     },
@@ -903,7 +931,10 @@ REST_UNUSED = _code(
     """,
     _sized("2A:00|80|00:00|9F:00:00:01:84:41:42:00"),
     _sized("2A:00|80|00:00|9F:00:00:02:84:41:42:00"),
-    words=Words("{length} says that {name} has {stated}, but it has {present}", "{count}omit the last {rest}"),
+    words=Words(
+        "{length} says that {name} has {stated}, but it has {present}",
+        "[set {length} to {count}, or ]omit the last {rest}",
+    ),
 )
 
 # 6: the way through the code
@@ -922,7 +953,7 @@ JUMP_OUT = _code(
         f"{{name}} is {{value}}, which leads to offset {{target}}, but the operations are at {COMMAND_HEADER_SIZE} to"
         " {last}",
         "use {start} to jump to the first operation, or {end} to jump to the end, counted from the end of the"
-        " jump{form}",
+        " jump[, and write it as {form}]",
     ),
 )
 JUMP_INTO = _code(
@@ -936,7 +967,7 @@ JUMP_INTO = _code(
     _sized("2A:00|80|01:00|41:60:03:82:1B:01"),
     words=Words(
         "{name} is {value}, which leads to offset {target}, into the middle of {inside}",
-        "use {start} to run {inside}, or {end} to skip it{form}",
+        "use {start} to run {inside}, or {end} to skip it[, and write it as {form}]",
     ),
 )
 NO_SUCH_LABEL = _code(
@@ -958,7 +989,7 @@ UNREACHABLE = _code(
     """,
     _sized("2A:00|80|00:00|40:03:82:1B:01:01"),
     _sized("2A:00|80|01:00|41:60:03:82:1B:01:01"),
-    words=Words("{owner} never runs{others}", "omit it, or jump to it"),
+    words=Words("{owner} never runs[, nor do the operations up to {last}]", "omit it, or jump to it"),
 )
 ENDLESS = _code(
     "W602",
@@ -1108,7 +1139,9 @@ WRONG_KIND_OF_PORT = _code(
     _sized("2A:00|00|04:00|B3:00:00:60"),
     alone=True,
     words={
-        NO_PORTS: Words("{name} is 0, a bit mask without a port, so {owner} does nothing", "use {ports}"),
+        NO_PORTS: Words(
+            "{name} is 0, a bit mask without a port, so {owner} does nothing", "use {ports}, or the sum of several"
+        ),
         "number": Words(
             "{name} is {number}, the number of port {port}; as a bit mask it would be {other}",
             "use {meant} if port {other} is meant: {owner} takes the number of one port",
@@ -1355,10 +1388,12 @@ ANSWER_NEEDED = _code(
     """,
     _frame("04:00|2A:00|81|9D"),
     _frame("04:00|2A:00|01|9D"),
-    words=Words(
-        "the type does not ask for a reply, but the reply to {owner} has {content}",
-        f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}",
-    ),
+    words={
+        "": Words(f"{_UNASKED} the requested contents", f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}"),
+        "handle": Words(
+            f"{_UNASKED} the handle for the next commands", f"use type 0x{MessageType.SYSTEM_COMMAND_REPLY:02X}"
+        ),
+    },
 )
 LONG_DAISY = _code(
     "W803",
@@ -1451,7 +1486,10 @@ LONGER_FORM = _code(
     """,
     _sized("2A:00|80|00:00|94:01:81:05:82:B8:01:82:E8:03"),
     _sized("2A:00|80|00:00|94:01:05:82:B8:01:82:E8:03"),
-    words=Words("{name} is {encoding}, but its value fits {bytes}", "write it as {shorter}{aside}"),
+    words=Words(
+        "{name} is {encoding}, but its value fits {bytes}",
+        "write it as {shorter}[, and shorten jumps over it by {saved}]",
+    ),
 )
 
 

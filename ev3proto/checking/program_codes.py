@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from ev3proto.checking.codes import FindingCode, registered
+from ev3proto.checking.codes import FindingCode, Words, registered
 
 PROGRAM_CODES: dict[str, FindingCode] = {}
 """The codes by name, in order."""
@@ -33,6 +33,7 @@ def _image(
     return head + globals_.to_bytes(4, "little") + table + b"".join(codes)
 
 
+_FIX = "fix the operation, or what precedes it"
 _FINE = _image("30 05 60 09 02 01 05 0A")
 
 DAMAGED = _code(
@@ -44,6 +45,7 @@ DAMAGED = _code(
     """,
     _FINE[:-1],
     _FINE,
+    words=Words("{reason}", "give the whole image"),
 )
 REFUSED = _code(
     "E002",
@@ -56,6 +58,12 @@ REFUSED = _code(
     """,
     _image("30 05 60 DF 0A"),
     _FINE,
+    words={
+        "": Words("the brick refuses object {object} at {operation}: {reason}", _FIX),
+        "newer": Words(
+            "the brick refuses object {object} at {operation}: {reason}; firmware of 2013 does not know it", _FIX
+        ),
+    },
 )
 NO_SUCH_OBJECT = _code(
     "E003",
@@ -66,6 +74,7 @@ NO_SUCH_OBJECT = _code(
     """,
     _image("05 03 0A"),
     _image("05 02 0A"),
+    words=Words("{owner} is about object {number}, and the program has 1 to {count}", "give 1 to {count}"),
 )
 NOT_A_SUBCALL = _code(
     "E004",
@@ -76,6 +85,10 @@ NOT_A_SUBCALL = _code(
     """,
     _image("09 01 00 0A"),
     _FINE,
+    words=Words(
+        "object {number} is a {kind}, and only a subcall can be called",
+        "start it with OBJECT_START, or call a subcall",
+    ),
 )
 CALL_COUNT = _code(
     "E005",
@@ -86,6 +99,7 @@ CALL_COUNT = _code(
     """,
     _image("09 02 02 05 05 0A"),
     _FINE,
+    words=Words("object {number} takes {declared}, not {given}", "give {declared}"),
 )
 CALL_OUTPUT = _code(
     "W006",
@@ -96,6 +110,7 @@ CALL_OUTPUT = _code(
     """,
     _image("09 02 01 05 0A", "0141 08 0A"),
     _image("09 02 01 62 0A", "0141 08 0A"),
+    words=Words("object {number} writes {name}, but the argument is a constant", "give a variable"),
 )
 OUTSIDE_MEMORY = _code(
     "E007",
@@ -106,6 +121,10 @@ OUTSIDE_MEMORY = _code(
     """,
     _image("30 05 64 0A"),
     _image("30 05 63 0A"),
+    words=Words(
+        "{name} ends at {scope} byte {end}, and there are {size}",
+        "ask for {bytes} of {scope} memory, or use a lower index",
+    ),
 )
 BAD_JUMP = _code(
     "E008",
@@ -116,6 +135,10 @@ BAD_JUMP = _code(
     """,
     _image("40 01 30 05 60 0A"),
     _image("40 03 30 05 60 0A"),
+    words=Words(
+        "{owner} leads to offset {target}, where no operation of object {number} starts",
+        "let it lead to the start of an operation of the same object",
+    ),
 )
 UNREACHABLE = _code(
     "W009",
@@ -126,6 +149,7 @@ UNREACHABLE = _code(
     """,
     _image("40 03 30 05 60 0A"),
     _FINE,
+    words=Words("no way leads to {owner}[ and what follows up to {last}]", "omit it, or let a jump lead there"),
 )
 NO_END = _code(
     "W010",
@@ -136,6 +160,7 @@ NO_END = _code(
     """,
     _image("30 05 60", ""),
     _image("30 05 60 0A", ""),
+    words=Words("object {number} does not end with OBJECT_END", "put an OBJECT_END after its last operation"),
 )
 LEFT_OVER = _code(
     "W011",
@@ -146,6 +171,12 @@ LEFT_OVER = _code(
     """,
     _image("0A 01", ""),
     _image("0A", ""),
+    words={
+        "": Words("{bytes} {belong} to no object", "omit {them}"),
+        "after the image": Words(
+            "the header says that the image has {stated}; {more} more follow", "omit the last {bytes}"
+        ),
+    },
 )
 OTHER_CODE = _code(
     "W012",
@@ -157,6 +188,10 @@ OTHER_CODE = _code(
     """,
     _image("30 05 60 0A", "", offset=1),
     _image("30 05 60 0A", ""),
+    words=Words(
+        "the brick runs object {number} from offset {offset}[, and validates the code at {start}]",
+        "let the header say where the code of the object is",
+    ),
 )
 NOTHING_TO_RUN = _code(
     "W013",
@@ -166,6 +201,7 @@ NOTHING_TO_RUN = _code(
     """,
     _image("", "", offset=0, count=1),
     _image("0A", ""),
+    words=Words("the code of object 1, which is started with the program, is empty", "give it an operation"),
 )
 UNREAD = _code(
     "W014",
@@ -176,6 +212,10 @@ UNREAD = _code(
     """,
     _image("8D 1F 0A", ""),
     _FINE,
+    words=Words(
+        "the brick accepts object {number}, and what it runs here is unknown: {reason}",
+        "use an operation that the firmware has",
+    ),
 )
 UNKNOWN_JUMP = _code(
     "W015",
@@ -186,4 +226,8 @@ UNKNOWN_JUMP = _code(
     """,
     _image("40 60 0A"),
     _image("40 00 0A"),
+    words=Words(
+        "{name} is not a number in the code, so the target of {owner} is unknown",
+        "jump by a constant, or by a condition for each place",
+    ),
 )

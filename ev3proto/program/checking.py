@@ -49,7 +49,7 @@ def check_program(image: bytes | bytearray | memoryview, *, dialect: str = "offi
     try:
         program = parse(image, strict=False, dialect=dialect)
     except DecodeError as error:
-        finding = codes.DAMAGED.finding(error.offset, 0, error.reason, "give the whole image")
+        finding = codes.DAMAGED.at(error.offset, 0, reason=error.reason)
         return ProgramReport(image, False, 0, (finding,))
     found = walk(image, dialect)
     seen: Counter[str] = Counter()
@@ -87,8 +87,8 @@ class _Check:
         stated = PACKED_HEADER.unpack_from(self._image, SIZE_AT)[0]
         if stated < len(self._image):
             more = len(self._image) - stated
-            message = f"the header says that the image has {counted(stated, 'byte')}; {more} more follow"
-            yield codes.LEFT_OVER.finding(stated, more, message, f"omit the last {counted(more, 'byte')}")
+            parts = {"stated": counted(stated, "byte"), "more": more, "bytes": counted(more, "byte")}
+            yield codes.LEFT_OVER.at(stated, more, "after the image", **parts)
         for offset, data in self._program.defects.gaps:
             yield from self._left_over(offset, len(data))
         for part in self._program.objects:
@@ -101,44 +101,31 @@ class _Check:
         """Yields the finding about bytes between objects; those after the image are reported as a whole."""
         size = min(size, PACKED_HEADER.unpack_from(self._image, SIZE_AT)[0] - offset)
         if size > 0:
-            verb, them = ("belongs", "it") if size == 1 else ("belong", "them")
-            yield codes.LEFT_OVER.finding(offset, size, f"{counted(size, 'byte')} {verb} to no object", f"omit {them}")
+            belong, them = ("belongs", "it") if size == 1 else ("belong", "them")
+            yield codes.LEFT_OVER.at(offset, size, bytes=counted(size, "byte"), belong=belong, them=them)
 
     def _refusal(self, at: int, why: str) -> Finding:
         """Returns the finding for the place where the firmware's validator stops."""
         if at == SIZE_AT:
-            return codes.DAMAGED.finding(at, 0, why, "give the whole image")
+            return codes.DAMAGED.at(at, 0, reason=why)
         steps = (step for part in self._program.objects for step in part.operations)
         operation = next((step for step in steps if step.offset == at), None)
         # The reason why it cannot be read says more than the validator's.
         fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
-        why = fault.reason if fault is not None else why
-        newer = "; firmware of 2013 does not know it" if operation and operation.declaration.is_newer else ""
-        return codes.REFUSED.finding(
-            at,
-            operation.length if operation is not None else 1,
-            f"the brick refuses object {len(self._walk.objects)} at"
-            f" {operation.full_name if operation is not None else f'0x{self._image[at]:02X}'}: {why}{newer}",
-            "fix the operation, or what precedes it",
-            operation.full_name if operation is not None else None,
-        )
+        parts = {"object": len(self._walk.objects), "reason": fault.reason if fault is not None else why}
+        if operation is None:
+            return codes.REFUSED.at(at, 1, operation=f"0x{self._image[at]:02X}", **parts)
+        key, name = "newer" if operation.declaration.is_newer else "", operation.full_name
+        return codes.REFUSED.at(at, operation.length, key, owner=name, operation=name, **parts)
 
     def _other_code(self, part: CodeObject) -> Iterator[Finding]:
         """Yields code that the brick runs without validating it, because the object's header points elsewhere."""
         at = IMAGE_HEADER_SIZE + (part.number - 1) * OBJECT_HEADER_SIZE
         read = self._walk.objects[part.number - 1]
         if (part.offset, part.kind is ObjectKind.SUBCALL) not in self._starts:
-            instead = "" if read.start is None else f", and validates the code at {read.start}"
-            yield codes.OTHER_CODE.finding(
-                at,
-                4,
-                f"the brick runs object {part.number} from offset {part.offset}{instead}",
-                "let the header say where the code of the object is",
-            )
+            yield codes.OTHER_CODE.at(at, 4, number=part.number, offset=part.offset, start=read.start)
         elif part.number == 1 and not part.operations and (part.fault is None or part.flaw.headless):
-            yield codes.NOTHING_TO_RUN.finding(
-                at, 4, "the code of object 1, which is started with the program, is empty", "give it an operation"
-            )
+            yield codes.NOTHING_TO_RUN.at(at, 4)
 
     def _object(self, part: CodeObject) -> Iterator[Finding]:
         for operation in part.operations:
@@ -150,20 +137,9 @@ class _Check:
     def _end(self, part: CodeObject) -> Iterator[Finding]:
         steps = part.operations
         if part.fault is not None and not part.fault.truncated and not part.flaw.headless:
-            yield codes.UNREAD.finding(
-                part.fault.offset,
-                0,
-                f"the brick accepts object {part.number}, and what it runs here is unknown: {part.fault.reason}",
-                "use an operation that the firmware has",
-            )
+            yield codes.UNREAD.at(part.fault.offset, 0, number=part.number, reason=part.fault.reason)
         elif (steps and steps[-1].name != _OBJECT_END) or (not steps and part.number > 1 and part.rest):
-            at = steps[-1].offset if steps else part.offset
-            yield codes.NO_END.finding(
-                at,
-                0,
-                f"object {part.number} does not end with OBJECT_END",
-                "put an OBJECT_END after its last operation",
-            )
+            yield codes.NO_END.at(steps[-1].offset if steps else part.offset, 0, number=part.number)
         elif part.rest and not part.flaw.headless:
             yield from self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
 
@@ -183,44 +159,21 @@ class _Check:
             return
         named = self._by_number.get(int(first.value))
         if named is None:
-            yield _at(
-                operation,
-                first,
-                codes.NO_SUCH_OBJECT,
-                f"{operation.name} is about object {first.value}, and the program has 1 to {len(self._by_number)}",
-                f"give 1 to {len(self._by_number)}",
-            )
+            yield _at(operation, first, codes.NO_SUCH_OBJECT, number=first.value, count=len(self._by_number))
         elif operation.name == CALL:
             yield from self._call(operation, arguments, named)
 
     def _call(self, operation: Operation, arguments: tuple[Argument, ...], callee: CodeObject) -> Iterator[Finding]:
         if callee.kind is not ObjectKind.SUBCALL:
-            yield _at(
-                operation,
-                arguments[0],
-                codes.NOT_A_SUBCALL,
-                f"object {callee.number} is a {callee.kind}, and only a subcall can be called",
-                "start it with OBJECT_START, or call a subcall",
-            )
+            yield _at(operation, arguments[0], codes.NOT_A_SUBCALL, number=callee.number, kind=callee.kind)
             return
         given, declared = len(arguments) - 2, len(callee.parameters)
         if given != declared:
-            yield _at(
-                operation,
-                arguments[1],
-                codes.CALL_COUNT,
-                f"object {callee.number} takes {counted(declared, 'parameter')}, not {given}",
-                f"give {counted(declared, 'parameter')}",
-            )
+            parts = {"number": callee.number, "declared": counted(declared, "parameter"), "given": given}
+            yield _at(operation, arguments[1], codes.CALL_COUNT, **parts)
         for argument, parameter in zip(arguments[2:], callee.parameters, strict=False):
             if parameter.direction is not Direction.IN and argument.kind not in (LOCAL, GLOBAL):
-                yield _at(
-                    operation,
-                    argument,
-                    codes.CALL_OUTPUT,
-                    f"object {callee.number} writes {argument.name}, but the argument is a constant",
-                    "give a variable",
-                )
+                yield _at(operation, argument, codes.CALL_OUTPUT, number=callee.number)
 
     def _place(self, operation: Operation, argument: Argument, part: CodeObject) -> Iterator[Finding]:
         """Yields a finding if a variable ends outside its memory. A block shares the locals of its owner."""
@@ -232,17 +185,12 @@ class _Check:
         width = _HANDLE_SIZE if argument.form.handle else max(argument.parameter.type.size, 1)
         end = int(argument.value) + width
         if end > size:
-            yield _at(
-                operation,
-                argument,
-                codes.OUTSIDE_MEMORY,
-                f"{argument.name} ends at {argument.kind} byte {end}, and there are {size}",
-                f"ask for {counted(end, 'byte')} of {argument.kind} memory, or use a lower index",
-            )
+            parts = {"scope": argument.kind, "end": end, "size": size, "bytes": counted(end, "byte")}
+            yield _at(operation, argument, codes.OUTSIDE_MEMORY, **parts)
 
 
-def _at(operation: Operation, argument: Argument, code: FindingCode, message: str, help_: str) -> Finding:
-    return code.finding(argument.offset, argument.length, message, help_, operation.full_name, argument.name)
+def _at(operation: Operation, argument: Argument, code: FindingCode, **parts: object) -> Finding:
+    return code.at(argument.offset, argument.length, owner=operation.full_name, name=argument.name, **parts)
 
 
 # Control flow of an object
@@ -259,21 +207,9 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
         jump = jump_of(step)
         goal = None if jump is None else target_of(step, jump, labels)
         if jump is not None and goal is None and not is_label(jump):
-            yield _at(
-                step,
-                jump,
-                codes.UNKNOWN_JUMP,
-                f"{jump.name} is not a number in the code, so the target of {step.name} is unknown",
-                "jump by a constant, or by a condition for each place",
-            )
+            yield _at(step, jump, codes.UNKNOWN_JUMP)
         elif goal is not None and place_of(goal, starts) is None:
-            yield codes.BAD_JUMP.finding(
-                step.offset,
-                step.length,
-                f"{step.name} leads to offset {goal}, where no operation of object {part.number} starts",
-                "let it lead to the start of an operation of the same object",
-                step.full_name,
-            )
+            yield codes.BAD_JUMP.at(step.offset, step.length, owner=step.full_name, target=goal, number=part.number)
     if part.fault is None:
         runs = runs_of(image, steps, steps[-1].offset + steps[-1].length, dialect)
         if runs is not None:
@@ -290,14 +226,8 @@ def _unreached(steps: Sequence[Operation], runs: bytearray) -> Iterator[Finding]
             last -= 1
         if last >= place:
             first, end = steps[place], steps[last]
-            more = f" and what follows up to {end.full_name}" if last > place else ""
-            yield codes.UNREACHABLE.finding(
-                first.offset,
-                end.offset + end.length - first.offset,
-                f"no way leads to {first.full_name}{more}",
-                "omit it, or let a jump lead there",
-                first.full_name,
-            )
+            parts = {"owner": first.full_name, "last": end.full_name if last > place else None}
+            yield codes.UNREACHABLE.at(first.offset, end.offset + end.length - first.offset, **parts)
         place = -1 if after < 0 else runs.find(0, after)
 
 

@@ -35,8 +35,7 @@ def check_alone(context: CheckContext) -> Iterator[Finding]:
 def _mask(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:
     if number == 0:
         masks = ", ".join(f"{1 << port} for {letter}" for port, letter in MOTOR_LETTERS.items())
-        ports = f"{masks}, or the sum of several"
-        yield operation.finding_of(codes.WRONG_KIND_OF_PORT, argument, codes.NO_PORTS, ports=ports)
+        yield operation.finding_of(codes.WRONG_KIND_OF_PORT, argument, codes.NO_PORTS, ports=masks)
 
 
 def _motor(operation: CheckedOperation, argument: Argument, number: int) -> Iterator[Finding]:

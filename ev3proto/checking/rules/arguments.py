@@ -44,11 +44,10 @@ def _parts(argument: Argument, judgement: Judgement) -> dict[str, object]:
     return {
         "value": value,
         "read": read,
-        "aside": "" if read is None else f"; the brick reads it as {read}",
         "byte": f"0x{argument.raw[0]:02X}",
         "kind": kind,
-        "type": f"a {kind}, {of_type}",
-        "large": f" large enough for {kind}" if kind.size else "",
+        "type": f"{kind}, {of_type}",
+        "sized": kind if kind.size else None,
         "legal": domain.choice if domain is not None else of_type,
         "outside": domain.outside if domain is not None else "",
         "accepted": f"{accepted[0]} to {accepted[-1]} as {known.validated.kind}" if accepted else "",
@@ -109,14 +108,12 @@ def longer_finding(operation: CheckedOperation, argument: Argument, has_jumps: b
     shorter = shortest(argument)
     if argument.parameter.role is Role.JUMP and kind == CONSTANT and isinstance(value, int) and value < 0:
         shorter = _shorter_way_back(argument, value)
-    aside = ""
-    if has_jumps and argument.parameter.role is not Role.JUMP:
-        aside = f", and shorten jumps over it by {counted(argument.length - len(shorter), 'byte')}"
+    saved = argument.length - len(shorter) if has_jumps and argument.parameter.role is not Role.JUMP else 0
     parts = {
         "encoding": argument.encoding,
         "bytes": counted(len(shorter), "byte"),
         "shorter": shorter.hex(" ").upper(),
-        "aside": aside,
+        "saved": counted(saved, "byte") if saved else None,
     }
     return operation.finding_of(codes.LONGER_FORM, argument, **parts)
 
@@ -153,12 +150,12 @@ def _array(operation: CheckedOperation, array: InlineArray) -> Iterator[Finding]
         yield operation.finding_of(codes.REST_UNUSED, argument, **parts)
 
 
-def _count(operation: CheckedOperation, array: InlineArray, count: int) -> str:
-    """Returns the advice to change the number of values, if the array has that many and the parameter can hold it."""
+def _count(operation: CheckedOperation, array: InlineArray, count: int) -> int | None:
+    """Returns a number of values if the array has that many and the parameter can hold it."""
     parameter = next(it for it in operation.facts.declaration.parameters if it.name == array.length)
     limits = RANGES.get(parameter.type)
     is_possible = 0 < count * array.one <= array.present and (limits is None or count <= limits.high)
-    return f"set {array.length} to {count}, or " if is_possible else ""
+    return count if is_possible else None
 
 
 def check_arguments(context: CheckContext, found: list[Finding]) -> tuple[list[Use], list[Use]]:

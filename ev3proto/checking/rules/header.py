@@ -55,16 +55,16 @@ def _length(frame: bytes, size: int, context: CheckContext) -> Iterator[Finding]
     most = context.most
     parts = {"stated": f"{counted(stated, 'byte')} {'follows' if stated == 1 else 'follow'}", "follow": follow}
     if min(size, stated + LENGTH_FIELD) > most:
-        yield codes.TOO_LONG.at(most, size - most, most=most, on=" on USB" if may_be_long(frame) else "", size=size)
+        yield codes.TOO_LONG.at(most, size - most, most=most, carrier="USB" if may_be_long(frame) else None, size=size)
     elif stated > follow:
         yield codes.INCOMPLETE.at(0, LENGTH_FIELD, missing=counted(stated - follow, "missing byte"), **parts)
     elif context.is_padded and context.carrier in (None, "usb"):
         end = context.end
         yield codes.PADDING.at(end, size - end, zeros=counted(size - end, "zero"))
     elif stated < follow:
-        omit = f", or omit the last {counted(follow - stated, 'byte')}" if stated > MIN_LENGTH else ""
+        over = counted(follow - stated, "byte") if stated > MIN_LENGTH else None
         key = "" if size <= most else "too long"
-        yield codes.LEFT_OVER.at(0, LENGTH_FIELD, key, most=most - LENGTH_FIELD, omit=omit, **parts)
+        yield codes.LEFT_OVER.at(0, LENGTH_FIELD, key, most=most - LENGTH_FIELD, over=over, **parts)
 
 
 def check_command_header(context: CheckContext, command: DirectCommand) -> Iterator[Finding]:
@@ -132,8 +132,7 @@ def _answer(command: SystemCommand, entry: SystemDeclaration) -> Iterator[Findin
     if command.wants_reply and not entry.answered:
         yield codes.NEVER_ANSWERED.at(TYPE_AT, 1, owner=entry.name)
     elif not command.wants_reply and _is_question(entry):
-        content = "the handle for the next commands" if entry.transfer == _OPENED else "the requested contents"
-        yield codes.ANSWER_NEEDED.at(TYPE_AT, 1, owner=entry.name, content=content)
+        yield codes.ANSWER_NEEDED.at(TYPE_AT, 1, "handle" if entry.transfer == _OPENED else "", owner=entry.name)
 
 
 def _is_question(entry: SystemDeclaration) -> bool:

@@ -57,9 +57,8 @@ def _unwritten(used: list[Use], asked: int) -> Iterator[Finding]:
         is_beyond = place.end > asked or not place.size
         if is_legal or is_beyond or place.facts.is_written or written.has_some_of(place.start, place.end):
             continue
-        value, legal = ("an empty text", "a text") if domain is None else ("always 0", domain.choice)
-        parts = {"variable": place.variable, "value": value, "legal": legal}
-        yield operation.finding_of(codes.UNWRITTEN, place.argument, **parts)
+        key, legal = ("text", "") if domain is None else ("", domain.choice)
+        yield operation.finding_of(codes.UNWRITTEN, place.argument, key, variable=place.variable, legal=legal)
 
 
 def _places(used: list[Use], asked: int) -> Iterator[Finding]:
@@ -83,13 +82,12 @@ def _beyond(operation: CheckedOperation, place: Footprint, asked: int) -> Findin
     """Returns the finding about a variable beyond the requested memory."""
     start, end, scope = place.start, place.end, GLOBAL if place.is_global else LOCAL
     room, most = start + place.reserved, MEMORY_LIMITS[scope]
-    more = f"request {counted(room, 'byte')} of {scope} memory, or " if room <= most else ""
     parts = {
         "bytes": f"byte {start}" if start == end - 1 else f"bytes {start} to {end - 1}",
         "scope": scope,
         "asked": f"{counted(asked, 'byte')} of" if asked else "no",
-        "more": more,
-        "limit": "" if more else f"; {scope} memory has at most {counted(most, 'byte')}",
+        "room": counted(room, "byte") if room <= most else None,
+        "limit": counted(most, "byte") if room > most else None,
     }
     code = codes.BEYOND_GLOBALS if place.is_global else codes.BEYOND_LOCALS
     return operation.finding_of(code, place.argument, **parts)
@@ -202,6 +200,5 @@ def _unused(scope: str, asked: int, used: list[Use]) -> Iterator[Finding]:
     end = needed([place for _, place in used])
     if end is None or end >= asked or (asked - end < _LARGEST and asked % _LARGEST == 0):
         return
-    share = f"only {end} are" if end else "none are"
-    parts = {"asked": counted(asked, "byte"), "scope": scope, "share": share, "end": end}
-    yield codes.UNUSED_MEMORY.at(HEADER_SIZE, MEMORY_SIZE, **parts)
+    key = "" if end else "none"
+    yield codes.UNUSED_MEMORY.at(HEADER_SIZE, MEMORY_SIZE, key, asked=counted(asked, "byte"), scope=scope, end=end)

@@ -121,8 +121,8 @@ class _Way:
                 # The command ends at an OBJECT_END in any case.
                 continue
             last = others[-1] if others else first
-            said = f", nor do the operations up to {last.name}" if others else ""
-            yield codes.UNREACHABLE.at(first.start, last.end - first.start, owner=first.name, others=said)
+            last_name = last.name if others else None
+            yield codes.UNREACHABLE.at(first.start, last.end - first.start, owner=first.name, last=last_name)
 
 
 def _counted(operation: CheckedOperation, jump: Argument, target: int) -> int:
@@ -142,7 +142,7 @@ def _targets(operation: CheckedOperation, jump: Argument, start: int, end: int) 
         "value": jump.value,
         "start": _counted(operation, jump, start),
         "end": _counted(operation, jump, end),
-        "form": ", and write it as a constant" if jump.form.kind == JUMP else "",
+        "form": "a constant" if jump.form.kind == JUMP else None,
     }
 
 
@@ -276,8 +276,7 @@ def _spins(context: CheckContext) -> Finding:
     operation = next((operation for operation in context.operations if operation.start == verdict.rejected_at), None)
     argument = next((it for it in operation.arguments if it.offset == at), None) if operation else None
     if operation is not None and argument is not None:
-        count = argument.value if argument.kind == CONSTANT else "not a number"
-        return operation.finding_of(codes.SPINS, argument, count=count)
+        return operation.finding_of(codes.SPINS, argument, **_number_or_encoding(argument))
     return codes.SPINS.at(at, max(context.end - at, 0), "unread")
 
 
@@ -316,18 +315,22 @@ def _faulty_cmd(context: CheckContext, start: int, name: str, fault: Fault) -> F
     cmd, _ = CMD.read(context.frame[: context.end], at)
     if encoding.kind != CONSTANT:
         return codes.VARIABLE_CMD.at(at, cmd.length, owner=name, name="CMD", reason=fault.reason)
-    parts = {"value": cmd.value, "consequence": _consequence(context, start)}
-    return codes.UNKNOWN_CMD.at(at, cmd.length, owner=name, name="CMD", **parts)
+    key, refused_at = _later(context, start)
+    return codes.UNKNOWN_CMD.at(at, cmd.length, key, owner=name, name="CMD", value=cmd.value, refused_at=refused_at)
 
 
-def _consequence(context: CheckContext, start: int) -> str:
-    """Returns what the brick does if it does not stop at the fault itself."""
+def _later(context: CheckContext, start: int) -> tuple[str, int | None]:
+    """Returns the key of the words about a fault, and where the brick refuses the command if not at the fault."""
     rejected_at = context.verdict.rejected_at
     if rejected_at is None:
-        return "; the brick does not notice, and runs the next bytes as operations"
-    if rejected_at > start:
-        return f"; the brick reads the next bytes as operations, and refuses the command at offset {rejected_at}"
-    return ""
+        return codes.UNNOTICED, None
+    return "", rejected_at if rejected_at > start else None
+
+
+def _number_or_encoding(argument: Argument) -> dict[str, object]:
+    """Returns the value of a constant number, or the encoding of another argument."""
+    is_number = argument.kind == CONSTANT and isinstance(argument.value, int)
+    return {"value": argument.value, "encoding": None} if is_number else {"value": None, "encoding": argument.encoding}
 
 
 def _undefined_form(at: int, first: int, name: str, parameter: str) -> Finding:
@@ -352,11 +355,10 @@ def _faulty_argument(context: CheckContext, operation: CheckedOperation, fault: 
 
 
 def _faulty_count(context: CheckContext, operation: CheckedOperation, count: Argument, fault: Fault) -> Finding:
-    is_number = count.kind == CONSTANT and isinstance(count.value, int)
-    is_count = fault.truncated or not count.parameter.counts
-    if is_number and is_count and int(count.value) >= 0:
+    number = whole_number(count)
+    if number is not None and number >= 0 and (fault.truncated or not count.parameter.counts):
         room = context.end - count.offset - count.length
-        parts = {"values": counted(int(count.value), "value"), "bytes": counted(room, "byte")}
+        parts = {"values": counted(number, "value"), "bytes": counted(room, "byte")}
         return operation.finding_of(codes.CUT_OFF, count, "count", **parts)
-    value = count.value if is_number else f"{count.encoding}, which is not a number"
-    return operation.finding_of(codes.BAD_COUNT, count, value=value, consequence=_consequence(context, operation.start))
+    key, refused_at = _later(context, operation.start)
+    return operation.finding_of(codes.BAD_COUNT, count, key, refused_at=refused_at, **_number_or_encoding(count))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
 from ev3proto.checking.report import Finding
+from ev3proto.errors import counted
 from ev3proto.semantics.footprint import whole_number
 from ev3proto.tables.declaration import Direction, Effect, Role
 from ev3proto.tables.encoding import TEXT
@@ -24,17 +25,14 @@ def check_failures(context: CheckContext) -> Iterator[Finding]:
     may_fail = context.dialect == _OFFICIAL and Effect.FAILS in context.effects
     for operation in context.operations:
         if may_fail and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
-            yield operation.finding(codes.FAILS, reason=_reason(operation))
+            note = operation.facts.declaration.note
+            key, reason = ("", note[0].lower() + note[1:].rstrip(".")) if note else ("no code", "")
+            yield operation.finding(codes.FAILS, key, reason=reason)
         elif operation.facts.has_handles:
             yield from _handles(operation, made)
             made += _made_by(operation)
         if operation.facts.has_letters:
             yield from _letters(operation)
-
-
-def _reason(operation: CheckedOperation) -> str:
-    note = operation.facts.declaration.note
-    return note[0].lower() + note[1:].rstrip(".") if note else "the firmware has no code for it that a command can use"
 
 
 def _made_by(operation: CheckedOperation) -> list[Role]:
@@ -54,11 +52,9 @@ def _handles(operation: CheckedOperation, made: list[Role]) -> Iterator[Finding]
         if role not in made:
             yield operation.finding_of(codes.NO_HANDLE, argument, role)
         elif number is not None and not 1 <= number <= len(made):
-            yield operation.finding_of(codes.NO_HANDLE, argument, "number", number=number, handles=_numbers(len(made)))
-
-
-def _numbers(count: int) -> str:
-    return " 1" if count == 1 else f"s 1 to {count}"
+            yield operation.finding_of(
+                codes.NO_HANDLE, argument, "number", number=number, handles=counted(len(made), "handle")
+            )
 
 
 def _letters(operation: CheckedOperation) -> Iterator[Finding]:

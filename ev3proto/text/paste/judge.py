@@ -55,7 +55,7 @@ def _read(run: Run, base: str) -> Reading:
     """Returns the frames in a run, in one base."""
     widths = {*run.widths}
     is_decimal = base == "decimal"
-    is_trusted = 1 not in widths and not run.is_mixed and (not is_decimal or widths == {3})
+    is_trusted = 1 not in widths and not run.has_string and (not is_decimal or widths == {3})
     is_doubtful = base in UNLIKELY or is_decimal or 1 in widths
     found = ((part, _frames(run, base, part, is_trusted, is_doubtful)) for part in run.parts(base))
     parts = [(part, frames) for part, frames in found if frames]

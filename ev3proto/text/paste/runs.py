@@ -38,7 +38,7 @@ _WIDE = 4
 _FEW = 3
 """Elements of a line each of which may be the only byte in it."""
 _COLUMN = 7
-"""Blanks that separate columns, not elements; bytes in front of a column of text that one blank separates."""
+"""Blanks that separate columns, not elements."""
 _MOST_PLACES = 8
 """Starts of a frame that are tried in a line: each costs as much as reading the lines."""
 _MOST_IN_ROW = 34
@@ -75,7 +75,6 @@ class Run:
     rows       the places of the elements that begin a line, but for the first
     is_guess   some elements of the lines are left out, so that only what is surely a frame counts
     widths     the digits of each element; 0 for those that say themselves what they are
-    is_mixed   some are strings, and some bare digits, which hardly belong to them
     """
 
     def __init__(
@@ -91,7 +90,6 @@ class Run:
         kinds = {one.kind for one in elements}
         self.has_unknown = "unknown" in kinds
         self.has_string = "string" in kinds
-        self.is_mixed = self.has_string and any(self.widths)
         self.bases = bases or _bases(elements, kinds)
 
     @cached_property
@@ -116,8 +114,7 @@ class Run:
         if len(shapes) < 2:
             return ""
         usual, count = Counter(shapes[1:]).most_common(1)[0]
-        is_two = len(shapes) == 2 and len(usual) < 2 and all(one.kind != "string" for one in self.elements)
-        return usual if count > 1 or is_two else ""
+        return usual if count > 1 or len(usual) < 2 else ""
 
     def _is_like(self, place: int, last: int, length: int) -> bool:
         """Returns whether an element may be of one kind with the one in front of it: no string, offset, or literal."""
@@ -131,7 +128,7 @@ class Run:
         """Yields the elements that have bytes in a base, from each that has none to the next."""
         table = BYTES[base]
         found = [table[one.text] for one in self.elements]
-        ends = [place for place, data in enumerate(found) if data is None] if None in found else []
+        ends = [place for place, data in enumerate(found) if data is None]
         for before, end in pairwise((-1, *ends, len(found))):
             values = found[before + 1 : end]
             data = b"".join(values)  # type: ignore[arg-type]
@@ -141,10 +138,8 @@ class Run:
                 yield Part(before + 1, data, [0, *accumulate(map(len, values))])  # type: ignore[arg-type]
 
     def is_torn(self, part: Part) -> bool:
-        """Returns whether elements before or behind a part are written like those in it, but have no bytes."""
-        before, after = part.first - 1, part.last
-        is_torn = before >= 0 and not has_place(self.breaks, part.first)
-        return is_torn or (after < len(self.widths) and not has_place(self.breaks, after))
+        """Returns whether elements before a part are written like those in it, but have no bytes."""
+        return part.first > 0 and not has_place(self.breaks, part.first)
 
     def is_cut(self, part: Part) -> bool:
         """Returns whether the text says behind a part that more bytes existed."""
@@ -277,12 +272,8 @@ class Row:
 
     @property
     def is_open(self) -> bool:
-        """Whether a list goes on after the row: it ends with a comma, or its bracket is not closed."""
-        after = self.after.strip(" \t\"'")
-        if after or not any(sign in self.line for sign in "([{"):
-            return after[:1] in (",", "+", "\\")
-        gaps = "".join(one.gap for one in self.elements)
-        return sum(map(gaps.count, "([{")) > sum(map(gaps.count, ")]}"))
+        """Whether a list goes on after the row: it ends with a comma, a plus, or a backslash."""
+        return self.after.strip(" \t\"'")[:1] in (",", "+", "\\")
 
     @property
     def ends(self) -> list[int]:
@@ -317,15 +308,9 @@ def _without_text(line: str, elements: list[TextElement]) -> list[TextElement]:
             if value is None:
                 break
             data += value
-            if _is_column(line[elements[place].end :], data, place):
+            if _shows(line[elements[place].end :].strip(), data):
                 return elements[: place + 1]
     return elements
-
-
-def _is_column(rest: str, data: bytearray, place: int) -> bool:
-    """Returns whether the rest of a line is the column of text behind bytes."""
-    is_apart = rest[:2].isspace() or (place >= _COLUMN and "." in rest)
-    return is_apart and _shows(rest.strip(), data)
 
 
 def _shows(text: str, data: bytearray) -> bool:
@@ -342,8 +327,7 @@ def _shows(text: str, data: bytearray) -> bool:
 def _of_elements(elements: list[TextElement], *, is_guess: bool = False) -> Iterator[Run]:
     """Yields the runs in elements that follow each other: all, and if these are not alike, every second or third."""
     run = Run(elements, is_guess=is_guess)
-    are_alike = len(elements) < 2 * LEAST or len({*map(shape, {one.gap for one in elements[1:]})}) == 1
-    if not are_alike and len(run.breaks) * 3 > len(elements):
+    if len(elements) >= 2 * LEAST and len(run.breaks) * 3 > len(elements):
         shapes = [shape(one.gap) for one in elements]
         for stride in (2, 3):
             gaps = ["#".join(shapes[max(0, at - stride + 1) : at + 1]) for at in range(len(elements))]
@@ -373,7 +357,7 @@ def openings(row: Row) -> list[int]:
 
 def _openings_of(part: Part, breaks: set[int]) -> Iterator[int]:
     """Yields the places in a part where a frame may begin; one that is whole may have a length that is too small."""
-    if part.first in breaks and may_begin_wrong(part.data):
+    if may_begin_wrong(part.data):
         yield part.first
     for place, at in zip(range(part.first, part.last), part.offsets, strict=False):
         if may_begin(part.data, at) or (place in breaks and is_whole(part.data, at)):
@@ -389,33 +373,22 @@ def of_rows(rows: list[Row], places: list[int]) -> Iterator[Run]:
 
 
 def _lined_up(rows: list[Row], places: list[int], *, is_guess: bool = False) -> Iterator[Run]:
-    first, sizes = rows[0], {*map(len, (row.elements for row in rows))}
-    if sizes in ({2}, {_FEW}) and len(rows) >= LEAST:
-        yield from _each(rows, places, is_guess=is_guess)
-    among = _among(first, places) if max(sizes) > _FEW else set()
+    first = rows[0]
+    if {*map(len, (row.elements for row in rows))} in ({2}, {_FEW}):
+        # Just one element of each row may be a byte.
+        yield from (_joined([[row.elements[at]] for row in rows], is_guess=is_guess) for at in places)
+    # Among elements that are written alike, only what is surely a frame counts.
+    among = {at for at in places if at > 1} - {*Run(first.elements).breaks}
     for place in [0] * _is_carried(first, places) + places:
         some = [row.elements[start:] for row in rows if (start := row.first(first, place)) is not None]
         yield _joined(some, is_guess=is_guess or place != places[0] or place in among)
 
 
-def _each(rows: list[Row], places: list[int], *, is_guess: bool) -> Iterator[Run]:
-    """Yields runs of one element of each row: just that may be a byte."""
-    for at in places:
-        if at < len(rows[0].elements):
-            yield _joined([[row.elements[at]] for row in rows], is_guess=is_guess)
-
-
-def _among(first: Row, places: list[int]) -> set[int]:
-    """Returns the places among elements that are written alike, where only what is surely a frame counts."""
-    is_plain = first.is_bare and not first.is_offset
-    return {at for at in places if at > 1} - {*Run(first.elements).breaks} if is_plain else set()
-
-
 def _is_carried(first: Row, places: list[int]) -> bool:
     """Returns whether what carries a frame may be in front of it, written like it."""
-    if not places or not places[0] or not first.is_bare or first.is_offset:
-        return False
-    return not any(one.gap.strip() for one in first.elements[1 : places[0] + 1])
+    return (
+        bool(places) and not first.is_offset and not any(one.gap.strip() for one in first.elements[1 : places[0] + 1])
+    )
 
 
 def _joined(rows: list[list[TextElement]], *, is_guess: bool = False) -> Run:

@@ -12,6 +12,7 @@ import struct
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import ClassVar
 
 from ev3proto.errors import near_misses
 from ev3proto.tables.source import (
@@ -25,16 +26,8 @@ from ev3proto.tables.source import (
     VARIABLE_WORDS,
 )
 from ev3proto.text.assembly.errors import SourceError, cited
-from ev3proto.text.assembly.lexing import BAD, END, NAME, NUMBER, TEXT, WORD, Lexeme, text_of, tokens
-from ev3proto.text.assembly.notations import (
-    CUT,
-    FORMS,
-    FRAME,
-    MARKS,
-    MESSAGE,
-    TEMPLATES,
-    Notation,
-)
+from ev3proto.text.assembly.lexing import BAD, END, MARK, NAME, NUMBER, TEXT, WORD, Lexeme, text_of, tokens
+from ev3proto.text.assembly.notations import CUT, FORMS, FRAME, MARKS, MESSAGE, TEMPLATES, Notation
 from ev3proto.text.assembly.syntax import (
     Call,
     Closing,
@@ -100,7 +93,7 @@ class Parser:
         while not self._is_at_end():
             start = self._peek()
             try:
-                yield from self._line() if self.notation.by_line else self._statement()
+                yield from self._statement()
             except SourceError as error:
                 yield error
                 self._depth = 0
@@ -118,46 +111,59 @@ class Parser:
         while not self._peek().is_first:
             self._next()
 
-    # Statements between marks
-
     def _statement(self) -> Iterator[Statement]:
-        token, notation = self._peek(), self.notation
-        word = token.text
+        """Parses one statement, or several heads."""
+        token, following, by_line = self._peek(), self._peek(1), self.notation.by_line
         if token.is_mark("}"):
             self._next()
             yield Closing(token.at)
-        elif token.is_mark("#"):
-            self._next()
-            if self._peek().text != DEFINE:
-                raise SourceError(token.at, "unknown directive; of the lines that start with # there is only #define")
-            yield self._define()
+            self._omit_rest("}")
         elif token.kind != NAME:
+            yield self._directive(token)
+        elif following.is_mark(":") and (not by_line or following.at == token.end):
+            self._next()
+            self._next()
+            self._check_blank(token)
+            yield Label(token.at, token.text)
+            self._omit_rest(f"the label {cited(token.text)}")
+        elif token.text in self._heads and not following.is_mark("("):
+            yield from self._head()
+        elif by_line:
+            yield from self._line()
+        else:
+            yield self._between_marks(token)
+
+    def _directive(self, token: Lexeme) -> Define:
+        """Parses #define, the only statement that does not start with a name."""
+        if token.is_mark("{") and self.notation.by_line:
+            raise SourceError(token.at, "unexpected {: a vmthread or subcall has to precede it")
+        if not token.is_mark("#"):
             raise self._unexpected(
                 "an operation such as SOUND(TONE, 1, 440, 1000)"
-                if notation.has_messages
+                if self.notation.has_messages
                 else "an operation, a label or a declaration"
             )
-        elif self._peek(1).is_mark(":"):
+        self._next()
+        if self._peek().text != DEFINE:
+            raise SourceError(token.at, "unknown directive; of the lines that start with # there is only #define")
+        return self._define()
+
+    # Statements between marks
+
+    def _between_marks(self, token: Lexeme) -> Statement:
+        word, has_messages = token.text, self.notation.has_messages
+        if word in self.notation.declaring or (has_messages and word in OLD_WORDS):
+            return self._declaration()
+        if word == DEFINE:
+            return self._define()
+        if word == BYTES:
             self._next()
-            self._next()
-            yield Label(token.at, word)
-        elif word in self._heads and not self._peek(1).is_mark("("):
-            yield from self._head()
-        elif word in self.notation.declaring or (notation.has_messages and word in OLD_WORDS):
-            yield self._declaration()
-        elif word == DEFINE:
-            yield self._define()
-        elif word == BYTES:
-            self._next()
-            yield self._raw(token) if self._peek().is_mark("(") else Raw(token.at, self._hex(until_mark=False))
-        elif self._peek(1).is_mark("("):
-            yield self._call()
-        elif notation.has_messages:
-            yield self._of_message(token)
-        elif word in VARIABLE_WORDS or word in OBJECT_WORDS:
-            raise self._unexpected("an operation, a label or a declaration")
-        else:
-            raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
+            return self._raw(token) if self._peek().is_mark("(") else Raw(token.at, self._hex(until_mark=False))
+        if self._peek(1).is_mark("("):
+            return self._call()
+        if has_messages:
+            return self._of_message(token)
+        raise SourceError(token.end, f"expected ( after {cited(word)}, found {self._shown(self._peek(1))}")
 
     def _of_message(self, token: Lexeme) -> Statement:
         """Parses a statement that only frames have."""
@@ -224,21 +230,21 @@ class Parser:
             raise self._line_end(f"a type ({', '.join(VARIABLE_WORDS)})")
         self._next()
         name = self._expect_name("the name of the variable", is_same_line=notation.by_line or notation.has_messages)
-        size: Value | None = None
         is_sized = kind.text in _SIZED or (notation.last_counts and kind.text in OLD_WORDS)
-        following = self._peek()
-        if notation.has_messages and following.is_mark("["):
-            self._next()
-            size = self._value()
-            self._expect("]")
-        elif (is_sized or notation.has_messages) and not following.is_mark(",", ";", "}"):
-            is_here = not following.is_first or not (notation.by_line or notation.has_messages)
-            size = self._value() if is_here else None
+        size = self._size() if is_sized or notation.has_messages else None
         if size is None and is_sized:
             raise self._line_end(f"the number of elements of {name.text}")
         if notation.last_counts and kind.text in OLD_WORDS:
             scope = kind.text
         return VariableDeclaration(name.at, kind.text, name.text, size, scope)
+
+    def _size(self) -> Value | None:
+        """Parses the number of elements after the name of a variable, `name[3]` or `name 3`, if there is one."""
+        following, has_messages = self._peek(), self.notation.has_messages
+        if has_messages and following.is_mark("["):
+            return self._element(Name(following.at, "")).number
+        is_here = not following.is_first or not (self.notation.by_line or has_messages)
+        return self._value() if is_here and not following.is_mark(",", ";", "}") else None
 
     def _call(self) -> Call:
         """Parses `NAME(value, value)`. In frames the ) may be missing at the end of a line; doubled commas are one."""
@@ -313,42 +319,25 @@ class Parser:
     # Lines
 
     def _line(self) -> Iterator[Statement]:
-        """Parses a line of a notation that separates words by blanks."""
-        token, notation = self._peek(), self.notation
-        word = token.text
-        if token.is_mark("}"):
-            self._next()
-            yield Closing(token.at)
-            self._omit_rest("}")
-        elif token.kind != NAME:
-            if token.is_mark("{"):
-                raise SourceError(token.at, "unexpected {: a vmthread or subcall has to precede it")
-            raise self._unexpected("an operation, a label or a declaration")
-        elif self._peek(1).is_mark(":") and self._peek(1).at == token.end:
-            self._next()
-            self._next()
-            self._check_blank(token)
-            yield Label(token.at, word)
-            self._omit_rest(f"the label {cited(word)}")
-        elif word in self._heads:
-            yield from self._head()
-        elif notation.folds and word in TEMPLATES:
+        """Parses a line of a notation that separates words by blanks, other than a label or a head."""
+        word, notation = self._peek().text, self.notation
+        if notation.folds and word in TEMPLATES:
             self._template()
+            return
+        if word == DEFINE and notation.last_counts:
+            yield self._define()
+        elif word in notation.declaring:
+            declaration = self._declaration()
+            self._check_blank(self._last)
+            yield declaration
+            if notation.last_counts and declaration.size is None:
+                self._omit_rest(cited(declaration.name))
         else:
-            if word == DEFINE and notation.last_counts:
-                yield self._define()
-            elif word in self.notation.declaring:
-                declaration = self._declaration()
-                self._check_blank(self._last)
-                yield declaration
-                if notation.last_counts and declaration.size is None:
-                    self._omit_rest(cited(declaration.name))
-            else:
-                yield self._words()
-            if self._peek().is_mark(";"):
-                self.warnings.append((self._next().at, "a ; means nothing: it is omitted"))
-            if not self._peek().is_first:
-                raise self._unexpected("the end of the line")
+            yield self._words()
+        if self._peek().is_mark(";"):
+            self.warnings.append((self._next().at, "a ; means nothing: it is omitted"))
+        if not self._peek().is_first:
+            raise self._unexpected("the end of the line")
 
     def _words(self) -> Call:
         """Parses an operation and its arguments, to the end of the line."""
@@ -362,7 +351,9 @@ class Parser:
         return Call(token.at, token.text, tuple(arguments), self._last.end)
 
     def _check_blank(self, start: Lexeme) -> None:
-        """Raises SourceError if a word continues after the part that was parsed: blanks separate words."""
+        """Raises SourceError if a word continues after the part that was parsed, where blanks separate words."""
+        if not self.notation.by_line:
+            return
         following = self._peek()
         is_glued = not following.is_first and following.at == self._last.end and following.kind != TEXT
         if is_glued and self._last.kind != TEXT and not following.is_mark(";", "}"):
@@ -370,7 +361,9 @@ class Parser:
             raise SourceError(start.at, f"expected a number, a name or a text, found {shown}")
 
     def _omit_rest(self, after: str) -> None:
-        """Skips the rest of a line, which LEGO's assembler ignores."""
+        """Skips the rest of a line, which assemblers that read by lines ignore."""
+        if not self.notation.by_line:
+            return
         if not self._peek().is_first:
             self.warnings.append((self._peek().at, f"what follows {after} on its line is omitted"))
         while not self._peek().is_first:
@@ -463,34 +456,53 @@ class Parser:
         return Sum(at, tuple(values), tuple(operators)) if operators else values[0]
 
     def _factor(self) -> Value:
-        token, is_usual = self._peek(), self.notation.has_messages
-        if token.is_mark("-", "+") and (is_usual or token.text == "-"):
-            self._next()
-            if self._peek().kind == NUMBER:
-                return self._number(-1 if token.text == "-" else 1, token.at)
-            if not is_usual:
-                raise SourceError(token.at, "only a number can follow a -; put an expression into parentheses")
-            with self._deeper(token):
-                part = self._factor()
-            return Sum(token.at, (Number(token.at, 0), part), ((token.at, "-"),)) if token.text == "-" else part
-        if token.is_mark("("):
-            self._next()
-            inner = self._expression()
-            if is_usual and not isinstance(inner, Number | Text | Name | Sum):
-                raise SourceError(inner.at, "expected a number or a name in parentheses")
-            self._expect(")")
-            return inner if is_usual or isinstance(inner, Sum) else Sum(token.at, (inner,), ())
-        if token.is_mark("@", "&") and (is_usual or token.text == "@"):
-            self._next()
-            name = self._expect_name("the name of a variable", is_same_line=False)
-            return Marked(token.at, token.text, self._element(name) if self._peek().is_mark("[") else name)
-        if token.is_mark("!"):
-            self._next()
-            with self._deeper(token):
-                return Unchecked(token.at, self._factor())
-        if token.kind == NAME:
-            return self._named()
-        return self._plain()
+        token = self._peek()
+        if token.kind == MARK and token.text in self._FACTORS:
+            return self._FACTORS[token.text](self, token)
+        return self._named() if token.kind == NAME else self._plain()
+
+    def _signed(self, token: Lexeme) -> Value:
+        is_minus, is_frame = token.text == "-", self.notation.has_messages
+        if not is_minus and not is_frame:
+            raise self._unexpected("a value")
+        self._next()
+        if self._peek().kind == NUMBER:
+            return self._number(-1 if is_minus else 1, token.at)
+        if not is_frame:
+            raise SourceError(token.at, "only a number can follow a -; put an expression into parentheses")
+        with self._deeper(token):
+            part = self._factor()
+        return Sum(token.at, (Number(token.at, 0), part), ((token.at, "-"),)) if is_minus else part
+
+    def _parenthesized(self, token: Lexeme) -> Value:
+        self._next()
+        inner, is_frame = self._expression(), self.notation.has_messages
+        if is_frame and not isinstance(inner, Number | Text | Name | Sum):
+            raise SourceError(inner.at, "expected a number or a name in parentheses")
+        self._expect(")")
+        return inner if is_frame or isinstance(inner, Sum) else Sum(token.at, (inner,), ())
+
+    def _dereferenced(self, token: Lexeme) -> Value:
+        if token.text == "&" and not self.notation.has_messages:
+            raise self._unexpected("a value")
+        self._next()
+        name = self._expect_name("the name of a variable", is_same_line=False)
+        return Marked(token.at, token.text, self._element(name) if self._peek().is_mark("[") else name)
+
+    def _unchecked(self, token: Lexeme) -> Value:
+        self._next()
+        with self._deeper(token):
+            return Unchecked(token.at, self._factor())
+
+    _FACTORS: ClassVar = {
+        "-": _signed,
+        "+": _signed,
+        "(": _parenthesized,
+        "@": _dereferenced,
+        "&": _dereferenced,
+        "!": _unchecked,
+    }
+    """What parses a value by the mark that it begins with."""
 
     def _plain(self) -> Value:
         """Parses a number, a text or a name."""

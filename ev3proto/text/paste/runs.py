@@ -100,8 +100,7 @@ class Run:
         # What says itself what it is has no digits, but for a literal of many bytes.
         elements = zip(self.elements, self.widths, strict=True)
         lengths = [width or (len(one.text) if _LITERAL.match(one.text) else 0) for one, width in elements]
-        most = max(lengths)
-        is_uniform = not self.has_string and (most < _WIDE or (most < 2 * LEAST and len({*lengths}) == 1))
+        is_uniform = not self.has_string and max(lengths) < _WIDE
         return [
             place
             for place in range(1, len(shapes))
@@ -254,10 +253,8 @@ class Row:
     @property
     def is_offset(self) -> bool:
         """Whether the row of a dump begins, with the offset zero."""
-        if len(self.elements) < 2 or self.elements[0].text[0] != "0":
-            return False
-        text = self.elements[0].text.removeprefix("0x")
-        return len(text) >= 4 and not text.strip("0") and self.is_bare
+        text = self.elements[0].text.removeprefix("0x") if len(self.elements) > 1 else ""
+        return len(text) >= 4 and not text.strip("0")
 
     def front(self, place: int) -> str:
         """Returns what is in front of an element, without the digits in it."""
@@ -265,10 +262,9 @@ class Row:
 
     def first(self, like: Row, place: int) -> int | None:
         """Returns the first element of the row that belongs to those of another one from a place on; None for none."""
-        if place < len(self.elements) and self.front(place) == like.front(place):
+        if self.front(place) == like.front(place):
             return place
-        is_other = self.front(0) != like.front(0) or self.elements[0].kind == "cut"
-        return 0 if self.is_bare and (place < len(self.elements) or is_other) else None
+        return 0 if self.is_bare and (place < len(self.elements) or self.front(0) != like.front(0)) else None
 
     @property
     def is_open(self) -> bool:

@@ -96,11 +96,6 @@ class FrameBuffer:
         """The number of bytes that the frame at the front still needs, as far as is known."""
         return 0 if self.size is None else max(self.size - len(self._data), 0)
 
-    @property
-    def is_padding(self) -> bool:
-        """Whether all that is left are zeros, such as those after the frame in a USB report."""
-        return not any(self._data)
-
     def append(self, data: bytes) -> None:
         """Adds the next bytes of the stream."""
         self._data += data

@@ -166,7 +166,6 @@ class OperationFacts:
         name: `SOUND.TONE`.
         parameters: The facts of each argument before the elements of a list.
         effects: Its side effects.
-        has_cmd: Whether its opcode has CMDs.
         is_jump: Whether its last argument is a jump target.
         has_lists: Whether it takes texts or arrays with a known or limited length.
         ends_code: Whether the firmware reads nothing after it.
@@ -179,7 +178,6 @@ class OperationFacts:
         "declaration",
         "effects",
         "ends_code",
-        "has_cmd",
         "has_handles",
         "has_letters",
         "has_lists",
@@ -199,7 +197,6 @@ class OperationFacts:
             [ParameterFacts(one, indexes, is_first=number == first) for number, one in enumerate(parameters)]
         )
         self.effects = frozenset(declaration.effects)
-        self.has_cmd = declaration.command is not None
         self.is_jump = declaration.is_jump
         self.has_lists = any(each.length is not None or each.most is not None for each in parameters)
         self.has_handles = any(each.role in (Role.FILE, Role.ARRAY) for each in parameters)

@@ -92,40 +92,19 @@ class Identity(NamedTuple):
 NOTHING = Identity(Kind.NOTHING)
 
 
-class _Given(NamedTuple):
-    """Bytes, and what is known of them."""
-
-    data: bytes
-    reader: FrameReader
-    is_whole: bool
-    is_doubtful: bool
-
-
-def identify(
-    data: bytes,
-    *,
-    whole: bool = True,
-    is_doubtful: bool = False,
-    missing: bool = True,
-    reader: FrameReader | None = None,
-) -> Identity:
+def identify(data: bytes, *, missing: bool = True, reader: FrameReader | None = None) -> Identity:
     """Returns what bytes are.
 
     Args:
         data: The bytes.
-        whole: They were given by themselves, not cut out of others.
-        is_doubtful: They may be any numbers, such as decimal ones in prose.
         missing: Frames without their length and operations without a header count, too.
         reader: The reader of the dialect; None: of the official one.
     """
     if len(data) < _LEAST_OPERATIONS:
         return NOTHING
-    given = _Given(data, reader or frame_reader(), whole, is_doubtful)
-    for row in _ROWS if missing else _ROWS[:-1]:
-        found = row(given)
-        if found is not None:
-            return found
-    return NOTHING
+    reader = reader or frame_reader()
+    found = (row(data, reader) for row in (_ROWS if missing else _ROWS[:-1]))
+    return next((one for one in found if one is not None), NOTHING)
 
 
 def foreign(data: bytes, reader: FrameReader | None = None) -> Identity:
@@ -182,30 +161,27 @@ def with_header(data: bytes, reader: FrameReader | None = None) -> bytes | None:
 # The rows
 
 
-def _right(given: _Given) -> Identity | None:
-    data = given.data
-    if len(data) < HEADER_SIZE or frame_size(data) != len(data) or not is_flawless(data, given.reader):
+def _right(data: bytes, reader: FrameReader) -> Identity | None:
+    if len(data) < HEADER_SIZE or frame_size(data) != len(data) or not is_flawless(data, reader):
         return None
     return Identity(Kind.FRAME, frame=data, also=_nxt(data) or "")
 
 
-def _dull(given: _Given) -> Identity | None:
+def _dull(data: bytes, _: FrameReader) -> Identity | None:
     """The values are the same, or count up or down, as in the head of a dump."""
-    data = given.data
     step = (data[1] - data[0]) & 0xFF if len(data) > 1 else 0
     is_dull = step in (0, 1, 255) and all((b - a) & 0xFF == step for a, b in pairwise(data))
     return NOTHING if is_dull else None
 
 
-def _through_a_text(given: _Given) -> Identity | None:
-    is_possible = given.is_whole and len(given.data) >= LOOKS
-    found = mangled(given.data, given.reader) if is_possible else None
+def _through_a_text(data: bytes, reader: FrameReader) -> Identity | None:
+    found = mangled(data, reader) if len(data) >= LOOKS else None
     return None if found is None else Identity(Kind.SLIP, found.kind, found.original)
 
 
-def _text(given: _Given) -> Identity | None:
+def _text(data: bytes, reader: FrameReader) -> Identity | None:
     """Letters or digits: a text, or the text of a frame."""
-    body = given.data.removesuffix(b"\0").strip()
+    body = data.removesuffix(b"\0").strip()
     if len(body) < _LEAST_PROSE or not is_prose(body):
         return None
     text = body.decode()
@@ -215,46 +191,41 @@ def _text(given: _Given) -> Identity | None:
                 frame = bytes_of(text)
             except ValueError:
                 continue
-            if len(frame) >= LOOKS and identify(frame, missing=False, reader=given.reader).is_meant:
+            if len(frame) >= LOOKS and identify(frame, missing=False, reader=reader).is_meant:
                 return Identity(Kind.DIGITS, text, frame)
     return Identity(Kind.TEXT, text) if sum(map(str.isalpha, text)) * 2 > len(text) else None
 
 
-def _stranger(given: _Given) -> Identity | None:
-    nxt = _nxt(given.data)
-    hub = _hub(given.data) if nxt is None else None
-    if (nxt is None and hub is None) or _speaks_for_ev3(given.data, given.reader):
+def _stranger(data: bytes, reader: FrameReader) -> Identity | None:
+    nxt = _nxt(data)
+    hub = _hub(data) if nxt is None else None
+    if (nxt is None and hub is None) or _speaks_for_ev3(data, reader):
         return None
     return Identity(Kind.HUB, hub) if nxt is None and hub else Identity(Kind.NXT, nxt or "")
 
 
-def _wrong_header(given: _Given) -> Identity | None:
+def _wrong_header(data: bytes, reader: FrameReader) -> Identity | None:
     """A frame but for its length or its type, or one that was cut."""
-    data, reader, whole = given.data, given.reader, given.is_whole
     if len(data) < LOOKS:
         return None
     says, kind = frame_size(data), data[TYPE_AT]
     if kind not in MESSAGE_TYPES:
-        is_meant = says == len(data) and (whole or any(is_sure(one, reader) for one in _retyped(data)))
-        return Identity(Kind.SLIP, "type") if is_meant else None
+        return Identity(Kind.SLIP, "type") if says == len(data) else None
     if kind not in COMMAND_TYPES:
         # Any bytes are a reply.
-        is_near = abs(says - len(data)) <= _NEARLY
-        is_cut = len(data) < says < _MOST_OF_REPLY * len(data) and not given.is_doubtful
-        return Identity(Kind.SLIP, _cut_or_long(data)) if whole and (is_near or is_cut) else None
-    return _wrong_command(given, says)
+        is_meant = -_NEARLY <= says - len(data) <= _NEARLY or len(data) < says < _MOST_OF_REPLY * len(data)
+        return Identity(Kind.SLIP, _cut_or_long(data)) if is_meant else None
+    return _wrong_command(data, says, reader)
 
 
-def _wrong_command(given: _Given, says: int) -> Identity | None:
-    data, reader = given.data, given.reader
+def _wrong_command(data: bytes, says: int, reader: FrameReader) -> Identity | None:
     mended, slip = with_length(data[LENGTH_FIELD:]), length_slip(data)
     if not (is_frame_size(says) and says <= MOST_MISSING * len(data)) and slip != "length-swapped":
         return None
-    if is_sure(mended, reader) or (given.is_whole and is_flawless(mended, reader)):
+    if is_flawless(mended, reader):
         return Identity(Kind.SLIP, slip or "length", mended)
-    is_meant = given.is_whole and (
-        abs(says - len(data)) <= _NEARLY or _is_truncated(mended, reader) or is_flawless(data[:says], reader)
-    )
+    is_near = abs(says - len(data)) <= _NEARLY
+    is_meant = is_near or _is_truncated(mended, reader) or is_flawless(data[:says], reader)
     return Identity(Kind.SLIP, _cut_or_long(data)) if is_meant else None
 
 
@@ -262,8 +233,7 @@ def _cut_or_long(data: bytes) -> str:
     return "cut" if frame_size(data) > len(data) else "length"
 
 
-def _bare(given: _Given) -> Identity | None:
-    data, reader = given.data, given.reader
+def _bare(data: bytes, reader: FrameReader) -> Identity | None:
     # Low numbers are often something else.
     least = _LEAST_OPERATIONS if max(data, default=0) > _ASCII else HEADER_SIZE
     if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
@@ -274,7 +244,7 @@ def _bare(given: _Given) -> Identity | None:
     return None
 
 
-_ROWS: tuple[Callable[[_Given], Identity | None], ...] = (
+_ROWS: tuple[Callable[[bytes, FrameReader], Identity | None], ...] = (
     *(_right, _dull, _through_a_text, _text, _stranger, _wrong_header, _bare),
 )
 
@@ -334,11 +304,6 @@ def _nxt(data: bytes) -> str | None:
 
 
 # Evidence
-
-
-def _retyped(data: bytes) -> list[bytes]:
-    kinds = (*_DIRECT, MessageType.SYSTEM_COMMAND_REPLY)
-    return [data[:TYPE_AT] + bytes((kind,)) + data[HEADER_SIZE:] for kind in kinds]
 
 
 def _is_truncated(frame: bytes, reader: FrameReader) -> bool:

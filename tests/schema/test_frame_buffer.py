@@ -177,13 +177,6 @@ def test_a_length_that_may_be_that_of_a_download(start: str) -> None:
     assert stream.size in (1025, 65_537)
 
 
-def test_padding() -> None:
-    report = FrameBuffer(TONE + bytes(1008))
-    assert report.next() == TONE
-    assert report.is_padding
-    assert not FrameBuffer(TONE).is_padding
-
-
 def test_the_way_back_into_step_is_given() -> None:
     stream = FrameBuffer(b"\xff\xff\xff\xff\xff" + TONE, resync=lambda data, at: max(data.find(TONE[:2], at), at))
     reason = "no frame can start here: the length field says 65535, but it can be 3 to 1022"

@@ -16,12 +16,7 @@ from ev3proto.schema.header import frame_end, frame_size, may_start
 from ev3proto.semantics.identify import LOOKS, Kind, identify
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.elements import BYTES, TextElement, clean, string_bytes
-from ev3proto.text.paste.frames import (
-    HASHES,
-    bare_reason,
-    is_swapped,
-    may_begin,
-)
+from ev3proto.text.paste.frames import HASHES, bare_reason, is_swapped, may_begin
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.repairs import slip_in
@@ -257,14 +252,11 @@ def _is_data(row: Row, run: Run, data: bytes) -> bool:
         return True
     # Operations by their names are assembly, if they are not joined.
     is_assembly = first.kind == "marked" and first.text[0].isalpha() and ".join(" not in row.line
-    if is_assembly or 1 in run.widths or ({*run.widths} != {2} and "".join(_texts(run)).isdecimal()):
+    is_decimal = {*run.widths} != {2} and all(one.text.isdecimal() for one in run.elements)
+    if is_assembly or 1 in run.widths or is_decimal:
         return False
     is_alone = not before.strip(AROUND + "xb") or before.rstrip("([").endswith(".join")
     return is_alone or head_of(before).direction is not None
-
-
-def _texts(run: Run) -> Iterator[str]:
-    return (one.text for one in run.elements)
 
 
 # Bytes that are known to be meant as such

@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 
-from ev3proto.schema.frame import is_flawless, parse
+from ev3proto.schema.frame import parse
 from ev3proto.schema.header import frame_end
 from ev3proto.semantics.identify import LOOKS, identify
 from ev3proto.text.paste.elements import BYTES, EXPRESSION, TextElement, clean, unknown_bytes
@@ -143,7 +143,7 @@ class Block:
     def _begins_anew(self, row: Row, data: bytes) -> bool:
         """Returns whether a row is a frame by itself, right or wrong, that the rows so far do not need."""
         first = self.rows[0]
-        if first.is_offset or row.elements[-1].end - row.elements[0].start < 2 * LEAST:
+        if first.is_offset:
             return False
         if row.front(0) == first.front(0) != self.rows[-1].front(0):
             return True
@@ -267,7 +267,7 @@ class Reader:
             yield from self._line(rows.pop(0), None, above)
         if found is not None:
             yield from self._emit(rows, *found, above)
-        elif (said := _spelt_in(rows, block.places)) is not None:
+        elif len(rows) > 1 and (said := spelt(of_rows(rows, block.places))) is not None:
             self._strange = self._strange or _said(rows[0].number, rows[0].line, said)
         elif block.shown:
             yield from _rest_of(block)
@@ -279,7 +279,7 @@ class Reader:
         """Yields what a line has by itself."""
         ended, self._ended = self._ended, None
         is_fine = reading is not None and reading.worth.is_whole and not may_be_mended(row.line)
-        mended = None if is_fine or _is_flawless(reading) else repaired(row)
+        mended = None if is_fine else repaired(row)
         if mended is not None:
             yield self._mended(row, mended, above)
         elif reading is not None:
@@ -405,18 +405,11 @@ def _once(found: list[tuple[Pasted, bool]]) -> list[Pasted]:
     return once
 
 
-def _is_flawless(reading: Reading | None) -> bool:
-    """Returns whether a reading has nothing but flawless frames, or replies."""
-    if reading is None or not reading.worth.is_whole:
-        return False
-    return all(is_flawless(part.data[one.start : one.end]) for part, frames in reading.parts for one in frames)
-
-
 def _is_done(reading: Reading | None, row: Row) -> bool:
     """Returns whether no line below can belong to the frames of a line."""
-    if reading is None or not reading.worth.is_whole or row.is_offset or (row.elements and row.is_open):
+    if reading is None or not reading.worth.is_whole or row.is_offset:
         return False
-    return len(row.elements) < LEAST or not row.is_bare or _is_sound(reading)
+    return not row.is_bare or _is_sound(reading)
 
 
 def _is_sound(reading: Reading) -> bool:
@@ -439,7 +432,7 @@ def _together(rows: list[Row], places: list[int]) -> tuple[Reading | None, Near 
     if reading is not None and (reading.worth.is_whole or _spans_rows(reading, rows)):
         return reading, None
     one = near(of_rows(rows, places), rows) if len(rows) > 1 and _are_one(rows) else None
-    return None if one is None or (not rows[0].is_offset and _is_each(rows, one)) else (None, one)
+    return None if one is None or (not rows[0].is_offset and _is_each(rows)) else (None, one)
 
 
 def _are_one(rows: list[Row]) -> bool:
@@ -447,11 +440,8 @@ def _are_one(rows: list[Row]) -> bool:
     return rows[0].is_offset or rows[0].is_open or len({len(row.elements) for row in rows[:-1]}) == 1
 
 
-def _is_each(rows: list[Row], one: Near) -> bool:
-    """Returns whether what was meant as a frame is one row, or some rows are frames by themselves."""
-    first, last = one.run.span(one.part, one.start, one.end)
-    if first.line == last.line and not one.is_stopped:
-        return True
+def _is_each(rows: list[Row]) -> bool:
+    """Returns whether some rows are frames by themselves."""
     readings = (best(row.of_line()) for row in rows)
     return any(reading is not None and reading.worth.natural for reading in readings)
 
@@ -519,10 +509,6 @@ def _follows(elements: Sequence[TextElement]) -> Pasted:
     shown = " ".join(one.text for one in elements[:_MOST_SHOWN])
     problem = f"{follow} the frame that ends in line {elements[0].line - 1}: {short(shown)}"
     return _said(elements[0].line, shown, problem)
-
-
-def _spelt_in(rows: list[Row], places: list[int]) -> str | None:
-    return spelt(of_rows(rows, places)) if len(rows) > 1 else None
 
 
 def _rest_of(block: Block) -> Iterator[Pasted]:

@@ -307,7 +307,8 @@ def test_the_commands_print_what_is_shown(
         done = subprocess.run(
             ["bash", "-c", command], cwd=tshark.folder, env=shell, capture_output=True, text=True, check=False
         )
-        assert done.stdout == output, command
+        # Since 4.6, a float of four bytes has nine digits: 7.92000008.
+        assert re.sub(r"(?m)(\.\d\d)0000\d\d$", r"\1", done.stdout) == output, command
 
 
 def test_no_picture_is_out_of_date(tshark: Tshark) -> None:
@@ -357,7 +358,7 @@ def test_a_second_copy_is_ignored(tshark: Tshark) -> None:
     copies = [tshark.place(data.encode(), f"{index}-{name}") for index in "12" for name, data in files().items()]
     words = [word for path in copies for word in ("-X", f"lua_script:{path}")]
     path = tshark.place((CAPTURES / "wifi.pcapng").read_bytes(), "wifi.pcapng")
-    done = subprocess.run([tshark.program, *words, "-r", path, "-c", "1"], capture_output=True, text=True, check=True)
+    done = subprocess.run([tshark.path, *words, "-r", path, "-c", "1"], capture_output=True, text=True, check=True)
     said = [line for line in done.stderr.splitlines() if ".lua" in line or "Lua" in line]
     assert said == [
         f"ev3.lua is loaded already; this copy is ignored: {copies[2]}",
@@ -369,4 +370,5 @@ def test_a_second_copy_is_ignored(tshark: Tshark) -> None:
 def test_the_protocol_hierarchy_counts_us_in_one_pass(tshark: Tshark) -> None:
     shown = tshark.run(CAPTURES / "wifi.pcapng", "-q", "-z", "io,phs")
     assert re.search(r"^ +ev3 +frames:3 bytes:265$", shown, re.MULTILINE)
-    assert re.search(r"^ +ev3 +frames:41 bytes:8181$", shown, re.MULTILINE)
+    # Before 4.6, segments count that only continue a frame.
+    assert re.search(r"^ +ev3 +frames:(41 bytes:8181|38 bytes:8009)$", shown, re.MULTILINE)

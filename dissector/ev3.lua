@@ -47,6 +47,7 @@ local COMMAND_HEADER_SIZE = 7
 local MIN_LENGTH = 3
 local MAX_LENGTH = 1022
 local MOST_COUNTED = 127
+local SPINNING = 1000000
 local GLOBAL_MASK = 0x03FF
 local LOCAL_MASK = 0xFC00
 local REPORT_SIZES = { [64] = "daisy", [1024] = "computer" }
@@ -2556,6 +2557,27 @@ local FINDINGS = {
     MISALIGNED = { "E205", "{name} is {variable}, and must start at a multiple of {step}" },
     BEYOND_global = { "E402", "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory" },
     BEYOND_local = { "E401", "{name} takes {bytes} of {scope} memory, but the header requests {asked} {scope} memory" },
+    UNKNOWN_TYPE = { "E105", "unknown message type {type}" },
+    CUT_FRAME = { "E102", "the length field says that {stated} it, but there are {follow}" },
+    EMPTY = { "E106", "the command has no operation" },
+    NO_MEMORY = { "E106", "the command ends before the two bytes that request memory" },
+    UNKNOWN_OPCODE = { "E201", "unknown opcode {byte} for the {dialect} firmware" },
+    OTHER_DIALECT = { "E201", "{byte} is {known} in the dialects {others}, but not an opcode of {dialect} firmware" },
+    UNRELEASED = { "E201", "{byte} is {known}, which is documented but not implemented by any firmware" },
+    AFTER_END = { "E202", "{bytes} follow the OBJECT_END at offset {end}, so the firmware refuses the command" },
+    CUT_OFF = { "E203", "{owner}: {reason}" },
+    CUT_LIST = { "E203", "{name} says {values}, but only {bytes} follow" },
+    SPINS = { "E207", "{name} is [{value}][{encoding}, which is not a number]: the brick reads millions of values before it does anything else" },
+    UNKNOWN_CMD = { "E208",
+        "{owner} has no CMD {value}[; the brick reads the next bytes as operations, and refuses the command at offset {refused_at}]" },
+    VARIABLE_CMD = { "E209", "{reason}" },
+    UNDEFINED_FORM = { "E210", "undefined identification byte {byte} for {name} of {owner}" },
+    BAD_COUNT = { "E211",
+        "{name} is [{value}][{encoding}, which is not a number][; the brick reads the next bytes as operations, and refuses the command at offset {refused_at}]" },
+    UNKNOWN_SYSTEM = { "E801", "unknown system command {number}" },
+    NO_SYSTEM = { "E801", "the frame ends before the number of the system command" },
+    WRONG_FIELDS = { "E802", "{owner}: {reason}" },
+    UNKNOWN_DAISY = { "E806", "{reason}" },
 }
 local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
 local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
@@ -2564,6 +2586,20 @@ local SLIPS = {
     length_swapped = "this is a frame whose length has its high byte first: it says {length}, but {follow} bytes follow it",
     length = "the length field says that {length} bytes follow it, but there are {follow}",
     left_over = "the frame before ends here by its length field, {bytes} before the end of what was sent",
+}
+-- Why arguments and fields cannot be read.
+local REASONS = {
+    no_argument = "the frame ends before the argument {name}",
+    cut_string = "the string {name} runs past the end of the frame: its terminating zero is missing",
+    cut_argument = "the argument {name} runs past the end of the frame: {form} needs {more}",
+    variable_cmd = "CMD of {owner} is {value}, but must be a constant",
+    left_over = "{bytes} left over after the last field",
+    wrong_count = "{counter} says {stated} bytes, but {size} follow to the end of the frame",
+    cut_text = "a text of {length} bytes runs past the end of the frame",
+    no_zero = "the terminating zero of a text is missing",
+    other_zero = "a text of {length} bytes must end with a zero, not with {byte}",
+    endless_text = "the text {name} runs past the end of the frame: its terminating zero is missing",
+    no_field = "the frame ends before the field {name} ({kind})",
 }
 local REFUSED = { E204 = true, E206 = true }
 
@@ -3022,6 +3058,9 @@ end
 -- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
 local reading = {}
+
+-- The texts of Phrases below, by which faults are named.
+local phrases = {}
 do
     local unpack = Struct.unpack
 
@@ -3108,18 +3147,35 @@ do
     end
 
     -- Returns the fault of the argument at an offset: its offset, reason and kind.
-    local function argument_fault(text, at, name)
+    local function argument_fault(text, at, name, owner)
         local first = byte(text, at + 1)
-        if not first then
-            return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not ENCODINGS[first] then
-            local reason = "undefined identification byte 0x%02X (argument %s)"
-            return at, format(reason, first, name), "fault"
-        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
-            local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
-            return at, format(reason, name), "cut_off"
+        local encoding, values, why = ENCODINGS[first], { name = name, owner = owner }, "cut_argument"
+        if first and not encoding then
+            values.byte = format("0x%02X", first)
+            return at, phrases.finding("UNDEFINED_FORM", values), "fault"
+        elseif not first then
+            why = "no_argument"
+        elseif encoding.kind == CONSTANT_TEXT then
+            why = "cut_string"
+        else
+            values.form, values.more = encoding.name, phrases.plural(at + 1 + encoding.width - #text, "more byte")
         end
-        return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
+        return at, phrases.unreadable("CUT_OFF", owner, why, values), "cut_off"
+    end
+
+    -- Returns what is said of an opcode that the firmware lacks.
+    local function opcode_reason(code)
+        local key, values, others = "UNKNOWN_OPCODE", { byte = format("0x%02X", code), dialect = dialect }, {}
+        for _, row in ipairs(OPERATIONS) do
+            if row[1] == code and not values.known then
+                for _, name in ipairs(DIALECTS) do
+                    if row.dialects[name] then others[#others + 1] = name end
+                end
+                values.known, values.others = row[2], concat(others, " and ")
+                key = others[1] and "OTHER_DIALECT" or "UNRELEASED"
+            end
+        end
+        return (phrases.finding(key, values))
     end
 
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
@@ -3143,30 +3199,22 @@ do
         local code = byte(text, at + 1)
         local operation, after = (set or instructions)[code], at + 1
         if not operation then
-            return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
+            return nil, at, opcode_reason(code), "unknown_opcode"
         end
         local commands = operation.commands
         if commands then
             local encoding, value
             encoding, value, after = read_argument(text, at + 1)
-            if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
+            if not encoding then return nil, argument_fault(text, at + 1, "CMD", operation.name) end
             if encoding.kind ~= CONSTANT then
                 local said = encoding.kind == JUMP and "a label" or "a string"
                 if encoding.scope then said = encoding.scope .. value .. ")" end
-                local reason = "CMD of %s is %s, but must be a constant"
-                return nil, at + 1, format(reason, operation.name, said), "unknown_cmd"
+                local about = { owner = operation.name, value = said }
+                return nil, at + 1, phrases.unreadable("VARIABLE_CMD", nil, "variable_cmd", about), "unknown_cmd"
             end
             if not commands[value] then
-                local numbers, known = {}, {}
-                for number in pairs(commands) do
-                    numbers[#numbers + 1] = number
-                end
-                table.sort(numbers)
-                for index = 1, math.min(#numbers, 3) do
-                    known[index] = numbers[index] .. " " .. commands[numbers[index]].name:match("%.(.+)$")
-                end
-                local reason = "%s has no CMD %d (it has %s, ...)"
-                return nil, at + 1, format(reason, operation.name, value, concat(known, ", ")), "unknown_cmd"
+                local reason = phrases.finding("UNKNOWN_CMD", { owner = operation.name, value = value })
+                return nil, at + 1, reason, "unknown_cmd"
             end
             operation = commands[value]
         end
@@ -3176,13 +3224,19 @@ do
 
     -- Returns the reason why a list cannot have the number of elements in its argument, else nil.
     local function count_fault(list, encoding, value, room)
-        if encoding.kind ~= CONSTANT then
-            return format("%s must be a constant: it is the number of values that follow", list.counter.name)
+        local is_number, key = encoding.kind == CONSTANT, "BAD_COUNT"
+        if is_number and value >= 0 and value <= room and not (list.is_count and value > MOST_COUNTED) then
+            return nil
         end
-        if list.is_count and room > MOST_COUNTED then room = MOST_COUNTED end
-        if value < 0 or value > room then
-            return format("%s cannot be %d: there is room for 0 to %d values", list.counter.name, value, room)
+        if is_number and not list.is_count and (value < 0 or value >= SPINNING) then
+            key = "SPINS"
+        elseif is_number and value >= 0 and not (list.is_count and value > MOST_COUNTED) then
+            key = "CUT_LIST"
         end
+        return (phrases.finding(key, {
+            name = list.counter.name, value = is_number and value, encoding = not is_number and encoding.name,
+            values = is_number and phrases.plural(value, "value"), bytes = phrases.plural(room, "byte"),
+        }))
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
@@ -3196,7 +3250,7 @@ do
             index = index + 1
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
-            if not encoding then return at, argument_fault(text, at, parameter.name) end
+            if not encoding then return at, argument_fault(text, at, parameter.name, operation.name) end
             visit(parameter, encoding, value, at, after, context)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
@@ -3222,61 +3276,55 @@ do
         return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end
 
-    -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
+    -- Reads one field of a system message: its value and the offset after it; else nil, offset and key of the reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
         if size then
-            if at + size > stop then
-                return nil, at, "the frame ends before the field " .. declared.name
-            end
+            if at + size > stop then return nil, at, "no_field" end
             return READ_UNSIGNED[size](text, at), at + size
         elseif kind == TEXT then
             local zero = find(text, "\0", at + 1, true)
-            if not zero or zero > stop then
-                local reason = "the text %s runs past the end of the frame: its terminating zero is missing"
-                return nil, at, format(reason, declared.name)
-            end
+            if not zero or zero > stop then return nil, at, "endless_text" end
             return sub(text, at + 1, zero - 1), zero
         elseif kind == COUNTED_TEXT then
             local length = before[declared.name]
-            if at + length > stop then
-                return nil, at, format("a text of %d bytes runs past the end of the frame", length)
-            end
+            if at + length > stop then return nil, at, "cut_text" end
             -- Some senders count the terminating zero, others do not.
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
-                return nil, at, "the terminating zero of a text is missing"
+                return nil, at, "no_zero"
             elseif byte(text, at + length + 1) ~= 0 then
-                return nil, at + length, format("a text of %d bytes must end with a zero", length)
+                return nil, at + length, "other_zero"
             end
             return sub(text, at + 1, at + length), at + length + 1
         end
-        if before[declared.name] and before[declared.name] ~= stop - at then
-            local reason = "%d bytes should follow to the end of the frame, not %d"
-            return nil, at, format(reason, before[declared.name], stop - at)
-        end
+        if before[declared.name] and before[declared.name] ~= stop - at then return nil, at, "wrong_count" end
         return sub(text, at + 1, stop), stop
     end
 
     -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
     -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
-    function reading.read_fields(text, at, stop, declarations, complete)
-        local found, counted = {}, {}
+    function reading.read_fields(text, at, stop, declarations, complete, owner)
+        local found, counted, counters = {}, {}, {}
+        local function fault_at(place, why, name, kind)
+            return { at = place, kind = "fault", reason = phrases.unreadable("WRONG_FIELDS", owner, why, {
+                name = name, kind = kind and kind:lower(), bytes = phrases.plural(stop - place, "byte"),
+                counter = counters[name], stated = counted[name], length = counted[name], size = stop - place,
+                byte = format("0x%02X", byte(text, place + 1) or 0),
+            }) }
+        end
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end
             local value, after, reason = read_field(text, at, stop, declared, counted)
-            if not value then return found, at, { at = after, reason = reason, kind = "fault" } end
+            if not value then return found, at, fault_at(after, reason, declared.name, declared.kind) end
             found[#found + 1] = { declared = declared, value = value, at = at, stop = after }
             found[declared.name] = value
-            if declared.counts then counted[declared.counts] = value end
+            if declared.counts then counted[declared.counts], counters[declared.counts] = value, declared.name end
             at = after
         end
-        if at < stop then
-            local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
-            return found, at, { at = at, reason = reason, kind = "fault" }
-        end
+        if at < stop then return found, at, fault_at(at, "left_over") end
         return found, at
     end
 end
@@ -3285,7 +3333,6 @@ end
 --
 -- The texts of the info column and of headings in the tree.
 
-local phrases = {}
 do
     -- Maximum number of values in a line.
     phrases.MOST_VALUES = 12
@@ -3302,12 +3349,18 @@ do
         return (gsub(template, "{(%w+)}", values))
     end
 
-    -- Returns what `ev3proto check` says, by the key of its words.
+    -- Returns what `ev3proto check` says, by the key of its words, and its code; but not what the brick does next.
     function phrases.finding(key, values)
         local code, words = FINDINGS[key][1], FINDINGS[key][2]
-        -- Words in brackets are about a value that `values` may lack.
-        words = gsub(words, "%[(.-{(%w+)}.-)%]", function(part, name) return values(name) and part or "" end)
+        local get = type(values) == "table" and function(name) return values[name] end or values
+        -- Words in brackets are about a value that may be lacking.
+        words = gsub(words, "%[(.-{([%w_]+)}.-)%]", function(part, name) return get(name) and part or "" end)
         return phrases.filled(words, values) .. " (" .. code .. ")", code
+    end
+
+    -- Returns the same about an operation or a system command that cannot be read, by the key of the reason.
+    function phrases.unreadable(key, owner, why, values)
+        return (phrases.finding(key, { owner = owner, reason = phrases.filled(REASONS[why], values) }))
     end
 
     -- Returns the names of the operations after the first one, as far as there is room.
@@ -3987,7 +4040,9 @@ do
     -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
     -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
+    -- Nothing is said of what follows an OBJECT_END.
     local function report(run, kind, at, text)
+        if run.is_over then return end
         local steps, complaints = run.steps, run.complaints
         run.remark = run.remark or format("at offset %d: %s", at, text)
         if steps then
@@ -4004,7 +4059,7 @@ do
     local function check_variable(run, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
-            size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
+            size, alignment = SIZE_OF[HANDLE], parameter.numbered and 1 or SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
@@ -4096,7 +4151,11 @@ do
                 break
             end
             if byte(text, at + 1) == CLAIMS.never_sent then
-                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name }))
+                report(run, "refused", at, (phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name })))
+            elseif selected.name == "OBJECT_END" and after < #text then
+                local said = { bytes = plural(#text - after, "byte"), ["end"] = at }
+                report(run, "refused", at, (phrases.finding("AFTER_END", said)))
+                run.is_over = true
             end
             local cmd = selected.cmd_name
             if steps and cmd then
@@ -4294,7 +4353,7 @@ do
 
     local function show_direct_command(message, view)
         if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, "the frame ends before the two bytes that request memory")
+            return cut_off(message, view, (phrases.finding("NO_MEMORY", {})))
         end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
@@ -4306,7 +4365,9 @@ do
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
-        return fault and message.type.name or "no operations"
+        if fault then return message.type.name end
+        if not message.is_cut then complain(view.target, "refused", (phrases.finding("EMPTY", {}))) end
+        return "no operations"
     end
 
     local function add_output(tree, view, output)
@@ -4499,11 +4560,15 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            return cut_off(message, view, "the frame ends before the sub-command and the two layers")
+            local reason = "the frame ends before the sub-command and the two layers"
+            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = reason })))
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
-        if not name then set_fault(message, at, format("unknown daisy sub-command 0x%02X", number), "fault") end
+        if not name then
+            local reason = format("unknown daisy sub-command 0x%02X", number)
+            set_fault(message, at, phrases.finding("UNKNOWN_DAISY", { reason = reason }), "fault")
+        end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
         local payload = add_layers(message, view, at + 1)
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
@@ -4533,7 +4598,8 @@ do
     local function show_unknown_message(message, view)
         local code = byte(message.text, HEADER_SIZE)
         add_rest(message, view, HEADER_SIZE)
-        set_fault(message, HEADER_SIZE - 1, format("unknown message type 0x%02X", code), "fault")
+        local reason = phrases.finding("UNKNOWN_TYPE", { type = format("0x%02X", code) })
+        set_fault(message, HEADER_SIZE - 1, reason, "fault")
         return format("message of unknown type 0x%02X", code)
     end
 
@@ -4559,8 +4625,9 @@ do
             if fault and is_real(fault, message) then return end
             set_fault(message, stop, format("the capture has %d of the frame's %d bytes", stop, size), "cut_by_capture")
         elseif not fault or fault.kind == "cut_off" then
-            local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
-            set_fault(message, 0, format(reason, size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
+            local stated = phrases.plural(size - LENGTH_FIELD, "byte") .. " follow"
+            local reason = phrases.finding("CUT_FRAME", { stated = stated, follow = stop - LENGTH_FIELD })
+            set_fault(message, 0, reason, "cut_off")
         end
     end
 
@@ -4604,7 +4671,7 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and "the frame ends before the system command"
+            local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
                 or "the frame ends before the command answered and the status"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
             return
@@ -4614,13 +4681,15 @@ do
         message.command = SYSTEM_COMMANDS[number]
         if not message.command then
             message.rest = start
-            message.fault = { at = at, reason = format("unknown system command 0x%02X", number), kind = "fault" }
+            local reason = phrases.finding("UNKNOWN_SYSTEM", { number = format("0x%02X", number) })
+            message.fault = { at = at, reason = reason, kind = "fault" }
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
-        message.fields, message.rest, message.fault = reading.read_fields(text, start, stop, declared, is_complete)
+        message.fields, message.rest, message.fault =
+            reading.read_fields(text, start, stop, declared, is_complete, message.command.name)
     end
 
     -- Reads a frame. `text` may be shorter than its length field says.
@@ -6372,4 +6441,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: eb8dca6dc30fe81f
+-- Checksum of the lines above, by which a changed file is recognised: 4b8dca458ecc2119

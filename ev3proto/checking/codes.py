@@ -354,9 +354,7 @@ CUT_OFF = _code(
     TONE,
     words={
         "": Words("{owner}: {reason}", "add the missing bytes"),
-        "count": Words(
-            "{name} says that {values} follow, but only {bytes} do", "add the missing values, or correct the count"
-        ),
+        "count": Words("{name} says {values}, but only {bytes} follow", "add the missing values, or correct the count"),
     },
 )
 FIRST_OUT_OF_RANGE = _code(

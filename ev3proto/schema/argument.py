@@ -108,19 +108,27 @@ def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, fo
 
 def _unreadable(parameter: Parameter, data: bytes, at: int, end: int) -> DecodeError:
     """Returns the error for a missing or unreadable argument at an offset."""
-    name = parameter.name
+    encoding = ENCODINGS[data[at]] if at < end else None
+    parts: dict[str, object] = {"name": parameter.name}
     if at >= end:
-        return DecodeError(end, f"the frame ends before the argument {name}", truncated=True)
-    encoding = ENCODINGS[data[at]]
-    if encoding is None:
-        reason = f"undefined identification byte 0x{data[at]:02X} (argument {name})"
-        return DecodeError(at, reason)
-    if encoding.width is None:
-        reason = f"the string {name} runs past the end of the frame: its terminating zero is missing"
-        return DecodeError(at, reason, truncated=True)
-    missing = counted(at + 1 + encoding.width - end, "more byte")
-    reason = f"the argument {name} runs past the end of the frame: {encoding.name} needs {missing}"
-    return DecodeError(at, reason, truncated=True)
+        key = "no_argument"
+    elif encoding is None:
+        return DecodeError(at, f"undefined identification byte 0x{data[at]:02X} (argument {parameter.name})")
+    elif encoding.width is None:
+        key = "cut_string"
+    else:
+        key = "cut_argument"
+        parts |= {"form": encoding.name, "more": counted(at + 1 + encoding.width - end, "more byte")}
+    return DecodeError(min(at, end), UNREADABLE[key].format(**parts), truncated=True)
+
+
+UNREADABLE = {
+    "no_argument": "the frame ends before the argument {name}",
+    "cut_string": "the string {name} runs past the end of the frame: its terminating zero is missing",
+    "cut_argument": "the argument {name} runs past the end of the frame: {form} needs {more}",
+    "variable_cmd": "CMD of {owner} is {value}, but must be a constant",
+}
+"""Why an argument cannot be read."""
 
 
 class ArgumentSchema:

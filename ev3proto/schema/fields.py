@@ -62,7 +62,7 @@ class Fields:
             at = stream.tell()
         if at < len(data):
             left = len(data) - at
-            return values, at, DecodeError(at, f"{counted(left, 'byte')} left over after the last field")
+            return values, at, DecodeError(at, UNREADABLE["left_over"].format(bytes=counted(left, "byte")))
         return values, at, None
 
     def _fault(self, field: SystemField, before: Mapping[str, FieldValue], data: bytes, at: int) -> DecodeError:
@@ -74,12 +74,11 @@ class Fields:
         assert isinstance(length, int)
         if field.kind is FieldKind.DATA:
             return DecodeError(at, _wrong_count(counter, length, left))
-        if left < length:
-            return DecodeError(at, f"a text of {length} bytes runs past the end of the frame", truncated=True)
-        if left == length:
-            return DecodeError(at, "the terminating zero of a text is missing", truncated=True)
+        if left <= length:
+            key = "cut_text" if left < length else "no_zero"
+            return DecodeError(at, UNREADABLE[key].format(length=length), truncated=True)
         end = at + length
-        return DecodeError(end, f"a text of {length} bytes must end with a zero, not with 0x{data[end]:02X}")
+        return DecodeError(end, UNREADABLE["other_zero"].format(length=length, byte=f"0x{data[end]:02X}"))
 
     def write(self, value: Mapping[str, Any]) -> bytes:
         """Writes fields.
@@ -183,14 +182,25 @@ def _message(name: str, value: Any) -> bytes:
         raise BuildError(f"{name} cannot be {value!r}: a number in a message is a single (4 bytes)") from None
 
 
+UNREADABLE = {
+    "left_over": "{bytes} left over after the last field",
+    "wrong_count": "{counter} says {stated} bytes, but {size} follow to the end of the frame",
+    "cut_text": "a text of {length} bytes runs past the end of the frame",
+    "no_zero": "the terminating zero of a text is missing",
+    "other_zero": "a text of {length} bytes must end with a zero, not with {byte}",
+    "endless_text": "the text {name} runs past the end of the frame: its terminating zero is missing",
+    "no_field": "the frame ends before the field {name} ({kind})",
+}
+"""Why the fields of a system message cannot be read."""
+
+
 def _wrong_count(counter: str, stated: int, size: int) -> str:
-    return f"{counter} says {stated} bytes, but {size} follow to the end of the frame"
+    return UNREADABLE["wrong_count"].format(counter=counter, stated=stated, size=size)
 
 
 def _too_short(field: SystemField) -> str:
-    if field.kind is FieldKind.TEXT:
-        return f"the text {field.name} runs past the end of the frame: its terminating zero is missing"
-    return f"the frame ends before the field {field.name} ({field.kind.value})"
+    key = "endless_text" if field.kind is FieldKind.TEXT else "no_field"
+    return UNREADABLE[key].format(name=field.name, kind=field.kind.value)
 
 
 REQUESTS = {command.number: Fields(command.request) for command in SYSTEM}

@@ -12,7 +12,7 @@ from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation, Variable
-from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
+from ev3proto.schema.argument import UNREADABLE, ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, COUNTS
@@ -380,7 +380,7 @@ class InstructionSet:
         if cmd.kind != CONSTANT:
             index, kind = cmd.value, cmd.kind
             said = str(Variable(kind, index)) if cmd.is_variable and isinstance(index, int) else f"a {kind}"
-            raise DecodeError(at + 1, f"CMD of {family.opcode.name} is {said}, but must be a constant")
+            raise DecodeError(at + 1, UNREADABLE["variable_cmd"].format(owner=family.opcode.name, value=said))
         schema = family.commands.get(cmd.value)
         if schema is None:
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))

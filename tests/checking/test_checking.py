@@ -253,10 +253,10 @@ def test_counts() -> None:
     frame = raw("2F 40 05 01 02", memory=5 << 10)
     assert (only(frame).code, only(frame).message) == (
         "E203",
-        "LENGTH says that 5 values follow, but only 2 bytes do",
+        "LENGTH says 5 values, but only 2 bytes follow",
     )
     frame = raw("2F 40 82F401 01 02", memory=500 % 64 << 10)
-    assert "LENGTH says that 500 values follow, but only 2 bytes do" in [it.message for it in check(frame).findings]
+    assert "LENGTH says 500 values, but only 2 bytes follow" in [it.message for it in check(frame).findings]
     frame = raw("94 07 2F 40 3F 01", memory=4 << 10)
     assert codes(frame) == ["E208", "E207"]
     frame = raw("99 1D 00 00 00 3F 3F 01", type=0)

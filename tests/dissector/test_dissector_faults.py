@@ -566,28 +566,37 @@ class Told(NamedTuple):
 
 FAULTS = {
     "0C00 0100 80 0000 02 01 F0 60 84 61 00": Told(
-        "unknown_opcode", "at offset 9: unknown opcode 0xF0 for the official firmware", "F0 60 84 61 00"
+        "unknown_opcode",
+        "at offset 9: 0xF0 is DYNLOAD_VMLOAD in the dialects xtended and compat, but not an opcode of "
+        "official firmware (E201)",
+        "F0 60 84 61 00",
     ),
-    "0800 0200 80 0000 94 1F 01": Told(
-        "unknown_cmd", "at offset 8: SOUND has no CMD 31 (it has 0 BREAK, 1 TONE, 2 PLAY, ...)", "94 1F 01"
-    ),
+    "0800 0200 80 0000 94 1F 01": Told("unknown_cmd", "at offset 8: SOUND has no CMD 31 (E208)", "94 1F 01"),
     "0800 0200 80 0000 94 41 01": Told(
-        "unknown_cmd", "at offset 8: CMD of SOUND is LV(1), but must be a constant", "94 41 01"
+        "unknown_cmd", "at offset 8: CMD of SOUND is LV(1), but must be a constant (E209)", "94 41 01"
     ),
     "0900 0300 80 0000 94 01 05 82": Told(
-        "cut_off", "at offset 10: the argument FREQUENCY runs past the end of the frame", "82"
+        "cut_off",
+        "at offset 10: SOUND.TONE: the argument FREQUENCY runs past the end of the frame: LC2 needs 2 more "
+        "bytes (E203)",
+        "82",
     ),
-    "0800 0300 80 0000 94 01 05": Told("cut_off", "at offset 10: the frame ends before the argument FREQUENCY"),
+    "0800 0300 80 0000 94 01 05": Told(
+        "cut_off", "at offset 10: SOUND.TONE: the frame ends before the argument FREQUENCY (E203)"
+    ),
     "0A00 0300 80 0000 D4 08 84 6D 79": Told(
         "cut_off",
-        "at offset 9: the string NAME runs past the end of the frame: its terminating zero is missing",
+        "at offset 9: COM_SET.SET_BRICKNAME: the string NAME runs past the end of the frame: its terminating zero is "
+        "missing (E203)",
         "84 6D 79",
     ),
     "0900 0300 80 0000 94 01 85 00": Told(
-        "fault", "at offset 9: undefined identification byte 0x85 (argument VOLUME)", "85 00"
+        "fault", "at offset 9: undefined identification byte 0x85 for VOLUME of SOUND.TONE (E210)", "85 00"
     ),
     "0D00 0300 80 0008 2F 40 83 00000080 01": Told(
-        "fault", "at offset 9: LENGTH cannot be -2147483648: there is room for 0 to 1 values", "01"
+        "fault",
+        "at offset 9: LENGTH is -2147483648: the brick reads millions of values before it does anything else (E207)",
+        "01",
     ),
     "0800 0400 00 0800 81 01 61": Told("misaligned", "VALUE is GV(1), and must start at a multiple of 4 (E205)"),
     "0800 0500 00 0200 81 01 60": Told(
@@ -626,22 +635,28 @@ FAULTS = {
         "no frame can start here: the length field says 65535, but it can be 3 to 1022",
         "FF FF 01 00 80 00 00 02 01",
     ),
-    "0500 0100 77 01 02": Told("fault", "at offset 4: unknown message type 0x77", "01 02"),
-    "0600 0100 01 9D 01 02": Told("fault", "at offset 6: 2 bytes left over after the last field", "01 02"),
-    "0600 0100 01 77 01 02": Told("fault", "at offset 5: unknown system command 0x77", "01 02"),
-    "0500 0100 01 94 01": Told("fault", "at offset 6: the frame ends before the field max_bytes", "01"),
+    "0500 0100 77 01 02": Told("fault", "at offset 4: unknown message type 0x77 (E105)", "01 02"),
+    "0600 0100 01 9D 01 02": Told(
+        "fault", "at offset 6: LIST_OPEN_HANDLES: 2 bytes left over after the last field (E802)", "01 02"
+    ),
+    "0600 0100 01 77 01 02": Told("fault", "at offset 5: unknown system command 0x77 (E801)", "01 02"),
+    "0500 0100 01 94 01": Told(
+        "fault", "at offset 6: BEGIN_UPLOAD: the frame ends before the field max_bytes (u16) (E802)", "01"
+    ),
     "0700 0100 01 9B 61 62 63": Told(
         "fault",
-        "at offset 6: the text path runs past the end of the frame: its terminating zero is missing",
+        "at offset 6: CREATE_DIR: the text path runs past the end of the frame: its terminating zero is missing (E802)",
         "61 62 63",
     ),
-    "0300 0100 01": Told("cut_off", "at offset 5: the frame ends before the system command"),
+    "0300 0100 01": Told("cut_off", "at offset 5: the frame ends before the number of the system command (E801)"),
     "0400 0100 03 92": Told("cut_off", "at offset 6: the frame ends before the command answered and the status", "92"),
-    "0400 0100 00 00": Told("cut_off", "at offset 6: the frame ends before the two bytes that request memory", "00"),
-    "0500 0100 0A A0 00": Told(
-        "cut_off", "at offset 7: the frame ends before the sub-command and the two layers", "A0 00"
+    "0400 0100 00 00": Told(
+        "cut_off", "at offset 6: the command ends before the two bytes that request memory (E106)", "00"
     ),
-    "0600 0100 8A 77 00 01": Told("fault", "at offset 5: unknown daisy sub-command 0x77"),
+    "0500 0100 0A A0 00": Told(
+        "cut_off", "at offset 7: the frame ends before the sub-command and the two layers (E806)", "A0 00"
+    ),
+    "0600 0100 8A 77 00 01": Told("fault", "at offset 5: unknown daisy sub-command 0x77 (E806)"),
     "0400 0100 08 00": Told("cut_off", "at offset 6: the frame ends before the two layers", "00"),
 }
 
@@ -669,6 +684,45 @@ def test_what_is_wrong_is_said(faulty: dict[str, Any], frame: str) -> None:
     layer, told = faulty[frame], FAULTS[frame]
     assert values(layer, f"ev3.expert.{told.kind}")
     assert told.words in [field.show for field in values(layer, "_ws.expert.message")]
+
+
+UNREADABLE = tuple(f"({code})" for code in ("E105", "E106", "E203", "E208", "E209", "E210", "E211", "E801", "E802"))
+"""The codes of what cannot be read."""
+
+AFTERWARDS = r"; the brick (?:reads the next|does not notice).*"
+
+
+def sentences(lines: Iterable[str]) -> set[str]:
+    """The errors that are said with a code of the checker, without the place and what the brick does next."""
+    found = (re.fullmatch(rf"(?:at offset \d+: )?(.*?)(?:{AFTERWARDS})? (\(E\d+\))", line) for line in lines)
+    return {f"{each[1]} {each[2]}" for each in found if each}
+
+
+def test_errors_are_named_in_the_words_of_check(tshark: Tshark) -> None:
+    """Of commands with drawn mutations, and those above, each in a connection of its own."""
+    commands = [frame for frame in good_frames() if frame[4] & 0x7F in (0, 1)]
+    drawn_ones = [with_length(each[:1000]) for each in mutations(commands, 400, "words") if len(each) > 7]
+    given = [frame for frame in map(bytes.fromhex, FAULTS) if int.from_bytes(frame[:2], "little") == len(frame) - 2]
+    frames = [frame for frame in (*drawn_ones, *given) if frame[4] & 0x7F in (0, 1)]
+    capture = Capture(RAW_IP)
+    for number, frame in enumerate(frames):
+        connection = Connection(capture, HOST_PORT + number)
+        connection.send(UNLOCK)
+        connection.send(frame)
+    path = tshark.place(capture.data(), "words.pcap")
+    words = ("-T", "fields", "-E", "aggregator=\x1f", "-e", "_ws.expert.message", "-Y", "!ev3.unlock")
+    lines = tshark.run(path, *words).split("\n")[: len(frames)]
+    count = 0
+    for frame, line in zip(frames, lines, strict=True):
+        said = sentences(f"{each.message} ({each.code})" for each in ev3proto.check(frame).findings)
+        shown = sentences(line.split("\x1f"))
+        if any(each.endswith("(E202)") for each in said):
+            # What follows an OBJECT_END is read as far as possible, but nothing is said of its arguments.
+            said, shown = ({each for each in some if each.endswith("(E202)")} for some in (said, shown))
+        assert shown <= said, frame.hex(" ")
+        assert {each for each in said if each.endswith(UNREADABLE)} <= shown, frame.hex(" ")
+        count += len(shown)
+    assert count > 200
 
 
 @pytest.mark.parametrize("frame", FAULTS)
@@ -705,8 +759,8 @@ def test_a_frame_is_shown_up_to_its_fault(tshark: Tshark) -> None:
     assert (
         tree(tshark, one_frame(tshark, frame))
         == """\
-EV3: PROGRAM_STOP prgid=USER_SLOT (+SOUND.TONE) [fault at offset 15: the string DURATION runs past the end of the \
-frame: its terminating zero is missing]
+EV3: PROGRAM_STOP prgid=USER_SLOT (+SOUND.TONE) [fault at offset 15: SOUND.TONE: the string DURATION runs past the \
+end of the frame: its terminating zero is missing (E203)]
     [Brick: 192.0.2.10:5555]
     [Connection: 1]
     Length: 15
@@ -725,9 +779,10 @@ frame: its terminating zero is missing]
         FREQUENCY: 440 Hz
             Encoding: LC2
     Not read: 84 61
-    [Expert Info (Error/Malformed): at offset 15: the string DURATION runs past the end of the frame: its \
-terminating zero is missing]
-        [at offset 15: the string DURATION runs past the end of the frame: its terminating zero is missing]
+    [Expert Info (Error/Malformed): at offset 15: SOUND.TONE: the string DURATION runs past the end of the frame: its \
+terminating zero is missing (E203)]
+        [at offset 15: SOUND.TONE: the string DURATION runs past the end of the frame: its terminating zero is \
+missing (E203)]
         [Severity level: Error]
         [Group: Malformed]
 """
@@ -784,7 +839,7 @@ def test_a_brick_that_is_known_as_such_has_its_faulty_reports_shown(tshark: Tsha
     assert [said for _, said in lines] == [
         "SOUND.TONE volume=1 % frequency=440 Hz duration=1000 ms",
         "no frame (1024 bytes)",
-        "message of unknown type 0x77 [fault at offset 4: unknown message type 0x77]",
+        "message of unknown type 0x77 [fault at offset 4: unknown message type 0x77 (E105)]",
     ]
     assert tshark.run(path, "-Y", "ev3.expert.no_boundary", "-T", "fields", "-e", "frame.number").split() == [
         str(sent[1])

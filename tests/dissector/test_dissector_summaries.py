@@ -81,5 +81,5 @@ def test_a_changed_preference_forgets_them(tmp_path: Path) -> None:
         capture = tshark.place(tcp_capture(Segment(True, frame) for frame in frames), "frames.pcap")
         words = ("-o", 'gui.column.format:"Info","%i"', "-d", "tcp.port==5555,ev3_all")
         first, second = tshark.run(capture, *words).splitlines()
-    assert "unknown opcode 0xF1 for the official firmware" in first
+    assert "0xF1 is DYNLOAD_VMEXIT in the dialects xtended and compat" in first
     assert second == "DYNLOAD_VMEXIT"

@@ -8,19 +8,11 @@ from typing import Any
 
 from construct.core import SizeofError
 
-from ev3proto.checking.codes import (
-    BEYOND_GLOBALS,
-    BEYOND_LOCALS,
-    CODES,
-    MAILBOX_CONTENT,
-    MAILBOX_NAME,
-    MISALIGNED,
-    NEVER_RUNS,
-    NO_PORTS,
-    OF_VALUES,
-)
+from ev3proto.checking import codes
+from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS, HEXADECIMAL, filter_name
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
+from ev3proto.schema import argument, fields
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing, transfers
@@ -34,7 +26,7 @@ from ev3proto.tables.encoding import CONSTANT, COUNTS, GLOBAL, IDENTIFICATIONS, 
 from ev3proto.tables.frame import MessageType
 from ev3proto.tables.output import PORT_SETS
 from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
-from ev3proto.tables.validation import LABELS
+from ev3proto.tables.validation import LABELS, SPINNING
 
 TYPES = {member: Name(member.name) for member in Type}
 DIRECTIONS = {member: Name(member.name) for member in Direction}
@@ -146,6 +138,7 @@ def _frames() -> Iterator[str]:
         "MIN_LENGTH": frame.MIN_LENGTH,
         "MAX_LENGTH": frame.MAX_LENGTH,
         "MOST_COUNTED": COUNTS.high,
+        "SPINNING": SPINNING,
     }
     for name, number in numbers.items():
         yield _assign(name, number)
@@ -443,6 +436,33 @@ def _claims() -> Iterator[str]:
     yield _assign("LABELS", Table([1, LABELS - 1]))
 
 
+_FAULTS = {
+    "MISALIGNED": (codes.MISALIGNED, ""),
+    "BEYOND_global": (codes.BEYOND_GLOBALS, ""),
+    "BEYOND_local": (codes.BEYOND_LOCALS, ""),
+    "UNKNOWN_TYPE": (codes.UNKNOWN_TYPE, ""),
+    "CUT_FRAME": (codes.INCOMPLETE, ""),
+    "EMPTY": (codes.EMPTY, ""),
+    "NO_MEMORY": (codes.EMPTY, "no memory"),
+    "UNKNOWN_OPCODE": (codes.UNKNOWN_OPCODE, ""),
+    "OTHER_DIALECT": (codes.UNKNOWN_OPCODE, "dialect"),
+    "UNRELEASED": (codes.UNKNOWN_OPCODE, "unreleased"),
+    "AFTER_END": (codes.AFTER_END, ""),
+    "CUT_OFF": (codes.CUT_OFF, ""),
+    "CUT_LIST": (codes.CUT_OFF, "count"),
+    "SPINS": (codes.SPINS, ""),
+    "UNKNOWN_CMD": (codes.UNKNOWN_CMD, ""),
+    "VARIABLE_CMD": (codes.VARIABLE_CMD, ""),
+    "UNDEFINED_FORM": (codes.UNDEFINED_FORM, ""),
+    "BAD_COUNT": (codes.BAD_COUNT, ""),
+    "UNKNOWN_SYSTEM": (codes.UNKNOWN_SYSTEM, ""),
+    "NO_SYSTEM": (codes.UNKNOWN_SYSTEM, "cut off"),
+    "WRONG_FIELDS": (codes.WRONG_FIELDS, ""),
+    "UNKNOWN_DAISY": (codes.UNKNOWN_DAISY, ""),
+}
+"""The findings about faults of frames: their names in the dissector, and the keys of their words."""
+
+
 def _findings() -> Iterator[str]:
     words: dict[Any, object] = {
         wrong.name if isinstance(wrong, Wrong) else wrong: Table([entry.code, text.message])
@@ -450,14 +470,18 @@ def _findings() -> Iterator[str]:
         for wrong, text in entry.words.items()
         if isinstance(wrong, Wrong) or wrong in (NO_PORTS, NEVER_RUNS, MAILBOX_NAME, MAILBOX_CONTENT)
     }
-    of_memory = {"MISALIGNED": MISALIGNED, "BEYOND_global": BEYOND_GLOBALS, "BEYOND_local": BEYOND_LOCALS}
-    words |= {name: Table([entry.code, entry.words[""].message]) for name, entry in of_memory.items()}
+    words |= {
+        name: Table([entry.code, re.sub(r"(0x)?\{(\w+):02X\}", r"{\2}", entry.words[key].message)])
+        for name, (entry, key) in _FAULTS.items()
+    }
     yield _assign("FINDINGS", Rows(named=words))
     yield _assign("FILES", Table(named={"longer": transfers.LONGER, "incomplete": transfers.INCOMPLETE}))
     most: dict[Any, object] = {MAILBOX_NAME: mailboxes.MOST_NAME, MAILBOX_CONTENT: mailboxes.MOST_CONTENT}
     yield _assign("MOST_IN_MAILBOX", Table(named=most))
     slips: dict[Any, object] = {name.replace("-", "_"): said for name, said in SENT_WITH.items()}
     yield _assign("SLIPS", Rows(named=slips | {"left_over": LEFT_OVER}))
+    yield "-- Why arguments and fields cannot be read.\n"
+    yield _assign("REASONS", Rows(named={**argument.UNREADABLE, **fields.UNREADABLE}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))
 

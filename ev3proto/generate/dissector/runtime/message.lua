@@ -34,7 +34,7 @@ do
 
     local function show_direct_command(message, view)
         if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, "the frame ends before the two bytes that request memory")
+            return cut_off(message, view, (phrases.finding("NO_MEMORY", {})))
         end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
@@ -46,7 +46,9 @@ do
         message.fault = fault
         if fault then add_rest(message, view, after) end
         if line ~= "" then return line end
-        return fault and message.type.name or "no operations"
+        if fault then return message.type.name end
+        if not message.is_cut then complain(view.target, "refused", (phrases.finding("EMPTY", {}))) end
+        return "no operations"
     end
 
     local function add_output(tree, view, output)
@@ -239,11 +241,15 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            return cut_off(message, view, "the frame ends before the sub-command and the two layers")
+            local reason = "the frame ends before the sub-command and the two layers"
+            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = reason })))
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
-        if not name then set_fault(message, at, format("unknown daisy sub-command 0x%02X", number), "fault") end
+        if not name then
+            local reason = format("unknown daisy sub-command 0x%02X", number)
+            set_fault(message, at, phrases.finding("UNKNOWN_DAISY", { reason = reason }), "fault")
+        end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
         local payload = add_layers(message, view, at + 1)
         local line = format("daisy %s layer %d to %d", name or format("0x%02X", number), from, to)
@@ -273,7 +279,8 @@ do
     local function show_unknown_message(message, view)
         local code = byte(message.text, HEADER_SIZE)
         add_rest(message, view, HEADER_SIZE)
-        set_fault(message, HEADER_SIZE - 1, format("unknown message type 0x%02X", code), "fault")
+        local reason = phrases.finding("UNKNOWN_TYPE", { type = format("0x%02X", code) })
+        set_fault(message, HEADER_SIZE - 1, reason, "fault")
         return format("message of unknown type 0x%02X", code)
     end
 
@@ -299,8 +306,9 @@ do
             if fault and is_real(fault, message) then return end
             set_fault(message, stop, format("the capture has %d of the frame's %d bytes", stop, size), "cut_by_capture")
         elseif not fault or fault.kind == "cut_off" then
-            local reason = "the frame is cut off: its length field says that %d bytes follow, but %d do"
-            set_fault(message, 0, format(reason, size - LENGTH_FIELD, stop - LENGTH_FIELD), "cut_off")
+            local stated = phrases.plural(size - LENGTH_FIELD, "byte") .. " follow"
+            local reason = phrases.finding("CUT_FRAME", { stated = stated, follow = stop - LENGTH_FIELD })
+            set_fault(message, 0, reason, "cut_off")
         end
     end
 
@@ -344,7 +352,7 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and "the frame ends before the system command"
+            local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
                 or "the frame ends before the command answered and the status"
             message.fault = { at = stop, reason = reason, kind = "cut_off" }
             return
@@ -354,13 +362,15 @@ do
         message.command = SYSTEM_COMMANDS[number]
         if not message.command then
             message.rest = start
-            message.fault = { at = at, reason = format("unknown system command 0x%02X", number), kind = "fault" }
+            local reason = phrases.finding("UNKNOWN_SYSTEM", { number = format("0x%02X", number) })
+            message.fault = { at = at, reason = reason, kind = "fault" }
             return
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.
         local is_complete = type.is_command or (message.status == STATUS.success and not type.is_error)
-        message.fields, message.rest, message.fault = reading.read_fields(text, start, stop, declared, is_complete)
+        message.fields, message.rest, message.fault =
+            reading.read_fields(text, start, stop, declared, is_complete, message.command.name)
     end
 
     -- Reads a frame. `text` may be shorter than its length field says.

@@ -90,7 +90,9 @@ do
     -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
     -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
+    -- Nothing is said of what follows an OBJECT_END.
     local function report(run, kind, at, text)
+        if run.is_over then return end
         local steps, complaints = run.steps, run.complaints
         run.remark = run.remark or format("at offset %d: %s", at, text)
         if steps then
@@ -107,7 +109,7 @@ do
     local function check_variable(run, at, parameter, encoding, index)
         local size, alignment = parameter.size, parameter.alignment
         if encoding.handle then
-            size, alignment = SIZE_OF[HANDLE], SIZE_OF[HANDLE]
+            size, alignment = SIZE_OF[HANDLE], parameter.numbered and 1 or SIZE_OF[HANDLE]
         elseif encoding.address then
             size = SIZE_OF[DATA32]
         end
@@ -199,7 +201,11 @@ do
                 break
             end
             if byte(text, at + 1) == CLAIMS.never_sent then
-                report(run, "refused", at, phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name }))
+                report(run, "refused", at, (phrases.finding("NEVER_RUNS", { byte = "0x00", owner = selected.name })))
+            elseif selected.name == "OBJECT_END" and after < #text then
+                local said = { bytes = plural(#text - after, "byte"), ["end"] = at }
+                report(run, "refused", at, (phrases.finding("AFTER_END", said)))
+                run.is_over = true
             end
             local cmd = selected.cmd_name
             if steps and cmd then

@@ -4,6 +4,9 @@
 -- byte at offset 0 is byte(text, 1). Nothing here raises errors: a fault is returned as its offset and reason.
 
 local reading = {}
+
+-- The texts of Phrases below, by which faults are named.
+local phrases = {}
 do
     local unpack = Struct.unpack
 
@@ -90,18 +93,35 @@ do
     end
 
     -- Returns the fault of the argument at an offset: its offset, reason and kind.
-    local function argument_fault(text, at, name)
+    local function argument_fault(text, at, name, owner)
         local first = byte(text, at + 1)
-        if not first then
-            return at, "the frame ends before the argument " .. name, "cut_off"
-        elseif not ENCODINGS[first] then
-            local reason = "undefined identification byte 0x%02X (argument %s)"
-            return at, format(reason, first, name), "fault"
-        elseif ENCODINGS[first].kind == CONSTANT_TEXT then
-            local reason = "the string %s runs past the end of the frame: its terminating zero is missing"
-            return at, format(reason, name), "cut_off"
+        local encoding, values, why = ENCODINGS[first], { name = name, owner = owner }, "cut_argument"
+        if first and not encoding then
+            values.byte = format("0x%02X", first)
+            return at, phrases.finding("UNDEFINED_FORM", values), "fault"
+        elseif not first then
+            why = "no_argument"
+        elseif encoding.kind == CONSTANT_TEXT then
+            why = "cut_string"
+        else
+            values.form, values.more = encoding.name, phrases.plural(at + 1 + encoding.width - #text, "more byte")
         end
-        return at, "the argument " .. name .. " runs past the end of the frame", "cut_off"
+        return at, phrases.unreadable("CUT_OFF", owner, why, values), "cut_off"
+    end
+
+    -- Returns what is said of an opcode that the firmware lacks.
+    local function opcode_reason(code)
+        local key, values, others = "UNKNOWN_OPCODE", { byte = format("0x%02X", code), dialect = dialect }, {}
+        for _, row in ipairs(OPERATIONS) do
+            if row[1] == code and not values.known then
+                for _, name in ipairs(DIALECTS) do
+                    if row.dialects[name] then others[#others + 1] = name end
+                end
+                values.known, values.others = row[2], concat(others, " and ")
+                key = others[1] and "OTHER_DIALECT" or "UNRELEASED"
+            end
+        end
+        return (phrases.finding(key, values))
     end
 
     -- Reads the argument at an offset: its encoding, value, and the offset after it; else nil.
@@ -125,30 +145,22 @@ do
         local code = byte(text, at + 1)
         local operation, after = (set or instructions)[code], at + 1
         if not operation then
-            return nil, at, format("unknown opcode 0x%02X for the %s firmware", code, dialect), "unknown_opcode"
+            return nil, at, opcode_reason(code), "unknown_opcode"
         end
         local commands = operation.commands
         if commands then
             local encoding, value
             encoding, value, after = read_argument(text, at + 1)
-            if not encoding then return nil, argument_fault(text, at + 1, "CMD") end
+            if not encoding then return nil, argument_fault(text, at + 1, "CMD", operation.name) end
             if encoding.kind ~= CONSTANT then
                 local said = encoding.kind == JUMP and "a label" or "a string"
                 if encoding.scope then said = encoding.scope .. value .. ")" end
-                local reason = "CMD of %s is %s, but must be a constant"
-                return nil, at + 1, format(reason, operation.name, said), "unknown_cmd"
+                local about = { owner = operation.name, value = said }
+                return nil, at + 1, phrases.unreadable("VARIABLE_CMD", nil, "variable_cmd", about), "unknown_cmd"
             end
             if not commands[value] then
-                local numbers, known = {}, {}
-                for number in pairs(commands) do
-                    numbers[#numbers + 1] = number
-                end
-                table.sort(numbers)
-                for index = 1, math.min(#numbers, 3) do
-                    known[index] = numbers[index] .. " " .. commands[numbers[index]].name:match("%.(.+)$")
-                end
-                local reason = "%s has no CMD %d (it has %s, ...)"
-                return nil, at + 1, format(reason, operation.name, value, concat(known, ", ")), "unknown_cmd"
+                local reason = phrases.finding("UNKNOWN_CMD", { owner = operation.name, value = value })
+                return nil, at + 1, reason, "unknown_cmd"
             end
             operation = commands[value]
         end
@@ -158,13 +170,19 @@ do
 
     -- Returns the reason why a list cannot have the number of elements in its argument, else nil.
     local function count_fault(list, encoding, value, room)
-        if encoding.kind ~= CONSTANT then
-            return format("%s must be a constant: it is the number of values that follow", list.counter.name)
+        local is_number, key = encoding.kind == CONSTANT, "BAD_COUNT"
+        if is_number and value >= 0 and value <= room and not (list.is_count and value > MOST_COUNTED) then
+            return nil
         end
-        if list.is_count and room > MOST_COUNTED then room = MOST_COUNTED end
-        if value < 0 or value > room then
-            return format("%s cannot be %d: there is room for 0 to %d values", list.counter.name, value, room)
+        if is_number and not list.is_count and (value < 0 or value >= SPINNING) then
+            key = "SPINS"
+        elseif is_number and value >= 0 and not (list.is_count and value > MOST_COUNTED) then
+            key = "CUT_LIST"
         end
+        return (phrases.finding(key, {
+            name = list.counter.name, value = is_number and value, encoding = not is_number and encoding.name,
+            values = is_number and phrases.plural(value, "value"), bytes = phrases.plural(room, "byte"),
+        }))
     end
 
     -- Reads the arguments of an operation, from the offset after its opcode and CMD. `visit` gets each one: its
@@ -178,7 +196,7 @@ do
             index = index + 1
             local parameter = parameters[index] or elements[index - #parameters - 1]
             local encoding, value, after = read_argument(text, at, parameter.is_float)
-            if not encoding then return at, argument_fault(text, at, parameter.name) end
+            if not encoding then return at, argument_fault(text, at, parameter.name, operation.name) end
             visit(parameter, encoding, value, at, after, context)
             if list and not elements then
                 if parameter.tells_type and encoding.kind == CONSTANT then
@@ -204,61 +222,55 @@ do
         return operation, reading.read_arguments(operation, text, after, visit or pass_over)
     end
 
-    -- Reads one field of a system message: its value and the offset after it; else nil, offset and reason.
+    -- Reads one field of a system message: its value and the offset after it; else nil, offset and key of the reason.
     local function read_field(text, at, stop, declared, before)
         local kind = declared.kind
         local size = kind == U8 and 1 or kind == U16 and 2 or kind == U32 and 4
         if size then
-            if at + size > stop then
-                return nil, at, "the frame ends before the field " .. declared.name
-            end
+            if at + size > stop then return nil, at, "no_field" end
             return READ_UNSIGNED[size](text, at), at + size
         elseif kind == TEXT then
             local zero = find(text, "\0", at + 1, true)
-            if not zero or zero > stop then
-                local reason = "the text %s runs past the end of the frame: its terminating zero is missing"
-                return nil, at, format(reason, declared.name)
-            end
+            if not zero or zero > stop then return nil, at, "endless_text" end
             return sub(text, at + 1, zero - 1), zero
         elseif kind == COUNTED_TEXT then
             local length = before[declared.name]
-            if at + length > stop then
-                return nil, at, format("a text of %d bytes runs past the end of the frame", length)
-            end
+            if at + length > stop then return nil, at, "cut_text" end
             -- Some senders count the terminating zero, others do not.
             if length > 0 and byte(text, at + length) == 0 then
                 return sub(text, at + 1, at + length - 1), at + length
             elseif at + length >= stop then
-                return nil, at, "the terminating zero of a text is missing"
+                return nil, at, "no_zero"
             elseif byte(text, at + length + 1) ~= 0 then
-                return nil, at + length, format("a text of %d bytes must end with a zero", length)
+                return nil, at + length, "other_zero"
             end
             return sub(text, at + 1, at + length), at + length + 1
         end
-        if before[declared.name] and before[declared.name] ~= stop - at then
-            local reason = "%d bytes should follow to the end of the frame, not %d"
-            return nil, at, format(reason, before[declared.name], stop - at)
-        end
+        if before[declared.name] and before[declared.name] ~= stop - at then return nil, at, "wrong_count" end
         return sub(text, at + 1, stop), stop
     end
 
     -- Reads the fields of a system message. Returns a list of { declared, value, at, stop }, the offset after them, and
     -- the fault, if any. Replies to failed commands may end before any field: they are not `complete`.
-    function reading.read_fields(text, at, stop, declarations, complete)
-        local found, counted = {}, {}
+    function reading.read_fields(text, at, stop, declarations, complete, owner)
+        local found, counted, counters = {}, {}, {}
+        local function fault_at(place, why, name, kind)
+            return { at = place, kind = "fault", reason = phrases.unreadable("WRONG_FIELDS", owner, why, {
+                name = name, kind = kind and kind:lower(), bytes = phrases.plural(stop - place, "byte"),
+                counter = counters[name], stated = counted[name], length = counted[name], size = stop - place,
+                byte = format("0x%02X", byte(text, place + 1) or 0),
+            }) }
+        end
         for _, declared in ipairs(declarations) do
             if at == stop and (declared.optional or not complete) then break end
             local value, after, reason = read_field(text, at, stop, declared, counted)
-            if not value then return found, at, { at = after, reason = reason, kind = "fault" } end
+            if not value then return found, at, fault_at(after, reason, declared.name, declared.kind) end
             found[#found + 1] = { declared = declared, value = value, at = at, stop = after }
             found[declared.name] = value
-            if declared.counts then counted[declared.counts] = value end
+            if declared.counts then counted[declared.counts], counters[declared.counts] = value, declared.name end
             at = after
         end
-        if at < stop then
-            local reason = format("%d byte%s left over after the last field", stop - at, stop - at > 1 and "s" or "")
-            return found, at, { at = at, reason = reason, kind = "fault" }
-        end
+        if at < stop then return found, at, fault_at(at, "left_over") end
         return found, at
     end
 end

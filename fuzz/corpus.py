@@ -10,7 +10,7 @@ TARGETS = ("codec", "captures", "text", "lines", "filter", "assembly", "programs
 HERE = Path(__file__).parent
 REGRESSIONS = HERE / "regressions"
 
-_CAPTURES = HERE.parent / "captures"
+CAPTURES = HERE.parent / "captures"
 _MOST_SEED = 1 << 14
 _MOST_CHANGES = 4
 _INTERESTING = (0, 1, 0x7F, 0x80, 0x81, 0xFE, 0xFF)
@@ -24,7 +24,7 @@ def inputs(target: str) -> list[bytes]:
         # In a file of seeds, each line is a seed, so that people can read them.
         found = [line for data in found for line in _lines(target, data)]
     if target == "captures":
-        found += [path.read_bytes()[:_MOST_SEED] for path in sorted(_CAPTURES.glob("*.pcap*"))]
+        found += [path.read_bytes()[:_MOST_SEED] for path in sorted(CAPTURES.glob("*.pcap*"))]
     return found
 
 

@@ -139,7 +139,7 @@ class Cutter:
     @property
     def waiting(self) -> list[int]:
         """The numbers of the packets with pending bytes."""
-        return [number for _, number in self._marks] if self._marks else []
+        return [number for _, number in self._marks]
 
     @property
     def size(self) -> int:

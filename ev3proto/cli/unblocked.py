@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 import sys
 import threading
-from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, BinaryIO, cast
 
 from ev3proto.cli.output import complain
@@ -28,12 +28,10 @@ class _Outlet(io.BufferedIOBase):
     def __init__(self, stream: BinaryIO) -> None:
         # Without the buffer, whose lock would be held at the end of the process.
         self._stream: BinaryIO = getattr(stream, "raw", stream)
-        self._changed = threading.Condition()
-        self._waiting: deque[bytes] = deque()
-        self._unread = 0
+        self._pieces: SimpleQueue[bytes | None] = SimpleQueue()  # None ends it
+        self._given = self._written = 0  # bytes that were put in, and that were written
         self.dropped = 0  # bytes that were not read in time
         self._error: OSError | None = None
-        self._is_over = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
@@ -49,13 +47,11 @@ class _Outlet(io.BufferedIOBase):
     def write(self, data: ReadableBuffer, /) -> int:
         self.flush()
         piece = bytes(data)
-        with self._changed:
-            if self._unread + len(piece) <= MOST_UNREAD:
-                self._waiting.append(piece)
-                self._unread += len(piece)
-                self._changed.notify()
-            else:
-                self.dropped += len(piece)
+        if self._given + len(piece) - self._written <= MOST_UNREAD:
+            self._given += len(piece)
+            self._pieces.put(piece)
+        else:
+            self.dropped += len(piece)
         return len(piece)
 
     def flush(self) -> None:
@@ -64,13 +60,11 @@ class _Outlet(io.BufferedIOBase):
 
     def end(self) -> None:
         """Writes the rest, if it is read."""
-        with self._changed:
-            self._is_over = True
-            self._changed.notify()
+        self._pieces.put(None)
         self._thread.join(_GRACE)
 
     def _run(self) -> None:
-        while (piece := self._next()) is not None:
+        while (piece := self._pieces.get()) is not None:
             rest = memoryview(piece)
             try:
                 while rest:
@@ -78,13 +72,7 @@ class _Outlet(io.BufferedIOBase):
             except OSError as error:
                 self._error = error
                 return
-            with self._changed:
-                self._unread -= len(piece)
-
-    def _next(self) -> bytes | None:
-        with self._changed:
-            self._changed.wait_for(lambda: self._waiting or self._is_over)
-            return self._waiting.popleft() if self._waiting else None
+            self._written += len(piece)
 
 
 @contextmanager

@@ -102,7 +102,7 @@ class Channel:
         with self._sending:
             with self._state:
                 if self._lost is not None:
-                    raise self._again()
+                    raise ConnectionLostError(str(self._lost))
                 request = make()
                 ticket = Ticket(prepared, request)
                 if request.wants_reply:
@@ -238,9 +238,6 @@ class Channel:
             self._by_request.clear()
         for ticket in waiting:
             ticket.reply.set_exception(ConnectionLostError(str(error)))
-
-    def _again(self) -> ConnectionLostError:
-        return ConnectionLostError(str(self._lost))
 
 
 def _told(event: Event, pending: bytes) -> str:

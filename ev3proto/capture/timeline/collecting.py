@@ -65,13 +65,10 @@ def collect(
 
     A command and its reply are drawn if either is chosen; without `chosen` everything is, within the window.
     """
-    collecting = collect_in_steps(events, chosen, window, most_marks)
-    while True:
-        try:
-            next(collecting)
-        except StopIteration as end:
-            timeline: Timeline | None = end.value
-            return timeline
+    collector = _Collector(chosen, window or Window(), most_marks)
+    for pair in dialogues(map(collector.seen, events)):
+        collector.dialogue(pair)
+    return collector.timeline()
 
 
 def collect_in_steps(

@@ -34,17 +34,6 @@ def test_a_reply_answers_its_command() -> None:
     assert session.outstanding == [first]
 
 
-def test_replies_come_in_any_chunks() -> None:
-    session = Session()
-    first, second = session.command(ASK, NOP), session.command(ASK, NOP)
-    assert session.feed(bytes.fromhex("04002a")) == []
-    assert session.missing == 3
-    assert session.feed(bytes.fromhex("00020703002b0002")) == [
-        Answered(first, bytes.fromhex("04002a000207")),
-        Answered(second, bytes.fromhex("03002b0002")),
-    ]
-
-
 def test_counters_wrap_around_those_that_are_outstanding() -> None:
     session = Session(65535)
     assert [session.command(ASK, NOP).counter for _ in range(3)] == [65535, 0, 1]
@@ -126,17 +115,10 @@ def test_a_late_answer_does_not_answer_another_command() -> None:
     assert session.feed(reply(42)) == [Stray(Oddity.FOREIGN, reply(42))]
 
 
-def test_a_second_answer_is_foreign() -> None:
-    session = Session()
-    request = session.command(ASK, NOP)
-    assert session.feed(reply(42) * 2) == [Answered(request, reply(42)), Stray(Oddity.FOREIGN, reply(42))]
-
-
 @pytest.mark.parametrize(
     ("frame", "oddity"),
     [
         (reply(7), Oddity.FOREIGN),
-        (bytes.fromhex("05002a00039d00"), Oddity.FOREIGN),  # a system reply to a direct command
         (bytes.fromhex("0a000100819e026100010031"), Oddity.UNASKED),  # a program's mailbox message
     ],
 )
@@ -158,12 +140,6 @@ def test_after_garbage_the_next_answer_is_found(garbage: bytes) -> None:
         OutOfStep("no frame can start here", garbage),
         Answered(request, reply(42, b"\x07")),
     ]
-
-
-def test_the_largest_reply_that_the_firmware_grants_is_taken() -> None:
-    session = Session()
-    request = session.command(ASK, NOP)
-    assert session.feed(reply(42, bytes(1021))) == [Answered(request, reply(42, bytes(1021)))]
 
 
 class Traffic(RuleBasedStateMachine):

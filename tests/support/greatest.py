@@ -136,8 +136,6 @@ GREEDY: dict[str, list[bytes]] = {
     "arrays": [*FILLED, op("ARRAY.CREATE8", 900_000, LV(2))],
     "a format": [op("ARRAY.CREATE8", 100, LV(2)), op("STRINGS.NUMBER_FORMATTED", 1, "%99999999d" * 25, -1, ARRAY)],
     "images": [op("FILE.LOAD_IMAGE", 1, "../prjs/large.rbf", LV(8), LV(12))] * 40,
-    "a program": PREPARED["PROGRAM_START"],
-    "an archive": [op("FILENAME.PACK", FULL)],
     "a long path": [
         *[op("ARRAY.CREATE8", LARGE, LV(0)), op("ARRAY.FILL", LV(0), 47)],
         op("FILE.GET_FOLDERS", ARRAY, LV(8)),

@@ -210,33 +210,12 @@ def test_frames_that_were_not_served_are_counted(tmp_path: Path) -> None:
 
 
 def test_silent_clients_keep_no_other_out(tmp_path: Path) -> None:
-    call = (
-        f"ulimit -n 64; exec {sys.executable} -m ev3proto brick --port 0 --no-beacon --quiet --root {tmp_path} --http"
-    )
-    with subprocess.Popen(["bash", "-c", call], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        assert process.stdout is not None
-        assert process.stderr is not None
-        ports = [int(re.findall(r":(\d+)", process.stdout.readline())[-1]) for _ in range(2)]
-        with contextlib.ExitStack() as stack:
-            for number in range(140):
-                with contextlib.suppress(OSError):  # those that are refused
-                    place = "127.0.0.1", ports[number % 2]
-                    stack.enter_context(socket.create_connection(place, 2))
-            for attempt in range(20):
-                with contextlib.suppress(OSError), Client(ports[0], timeout=5) as client:
-                    assert client.ask(VOLUME) == HUNDRED
-                    break
-                time.sleep(0.1 * attempt)
-            else:
-                pytest.fail("no client is served")
-        process.send_signal(signal.SIGINT)
-        assert process.wait(30) == 0
-        said = process.stderr.read().splitlines()
-        assert set(said) == {
-            "a client was refused: this process has too many open files (ulimit -n)",
-            "127.0.0.1 did not send the unlock text of a WiFi brick; disconnected",
-        }
-        assert len(said) == 2
+    with served(tmp_path) as brick, contextlib.ExitStack() as stack:
+        for _ in range(80):
+            stack.enter_context(socket.create_connection(("127.0.0.1", brick.port), 2))
+        with Client(brick.port) as client:
+            assert client.ask(VOLUME) == HUNDRED
+    assert brick.said == ["127.0.0.1 did not send the unlock text of a WiFi brick; disconnected"]
 
 
 def test_a_recording_has_what_was_on_the_wire_and_nothing_else(tmp_path: Path) -> None:

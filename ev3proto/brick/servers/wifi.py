@@ -11,7 +11,7 @@ from typing import Protocol
 
 from ev3proto.brick.limits import MOST_QUEUED, MOST_UNREAD, UNLOCK_TIME
 from ev3proto.brick.servers.host import Ends, Line, ServerError
-from ev3proto.brick.servers.listening import Listener
+from ev3proto.brick.servers.listening import listen
 from ev3proto.brick.servers.unlocking import BEACON_PERIOD, FIRST_READ, Unlocking, beacon_socket, why_not_open
 from ev3proto.errors import BuildError
 from ev3proto.schema.discovery import Beacon
@@ -58,16 +58,16 @@ class Wifi:
         self._locked: dict[_Client, None] = {}
         self._queued: deque[_Client] = deque()
         self._served: set[_Client] = set()
-        self._listener = Listener(lambda: _Client(self, self._host), self._full)
+        self._servers: list[asyncio.Server] = []
         self._beacon: asyncio.Task[None] | None = None
 
     async def listen(self, address: str, port: int) -> None:
         """Opens the port, 0 for any that is free. Raises ServerError."""
         try:
-            await self._listener.open(address, port)
+            self._servers = await listen(lambda: _Client(self, self._host), address, port)
         except (OSError, OverflowError, UnicodeError) as error:
             raise ServerError(why_not_open(error, address, port)) from None
-        self.address, self.port = self._listener.address, self._listener.port
+        self.address, self.port = self._servers[0].sockets[0].getsockname()[:2]
 
     def announce(self, beacon: Callable[[], Beacon], port: int = BEACON_PORT) -> None:
         """Begins to send beacons to a UDP port; `beacon` is called for each."""
@@ -82,7 +82,8 @@ class Wifi:
         """Closes the port and all connections."""
         if self._beacon is not None:
             self._beacon.cancel()
-        self._listener.close()
+        for server in self._servers:
+            server.close()
         clients = [*self._served, *self._queued, *self._locked]
         self._locked.clear()
         self._queued.clear()
@@ -99,12 +100,6 @@ class Wifi:
             return
         self._locked[client] = None
         if len(self._locked) > MOST_QUEUED:
-            next(iter(self._locked)).drop()
-
-    def _full(self) -> None:
-        """Disconnects the oldest client that has not sent the unlock text: too many files are open."""
-        self._host.say_once("a client was refused: this process has too many open files (ulimit -n)")
-        if self._locked:
             next(iter(self._locked)).drop()
 
     def unlocked(self, client: _Client) -> None:

@@ -23,7 +23,7 @@ from aiohttp.http import HttpProcessingError
 
 from ev3proto.brick.limits import MOST_PAGE_CONNECTIONS
 from ev3proto.brick.servers.host import Host, ServerError
-from ev3proto.brick.servers.listening import Listener
+from ev3proto.brick.servers.listening import listen
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.version import REPORT_IT
@@ -72,15 +72,14 @@ async def serving(host: Host, address: str, port: int) -> AsyncIterator[tuple[st
     await runner.setup()
     try:
         assert runner.server is not None
-        page.listener = Listener(partial(page.connected, runner.server), page.full)
         try:
-            await page.listener.open(address, port)
+            page.servers = await listen(partial(page.connected, runner.server), address, port)
         except (OSError, OverflowError, UnicodeError) as error:
             raise ServerError(
                 f"port {port} of {address} cannot be opened for the page: {getattr(error, 'strerror', None) or error};"
                 " --http alone takes any that is free"
             ) from None
-        page.port = page.listener.port
+        page.port = page.servers[0].sockets[0].getsockname()[1]
         host.observers.append(page.watcher)
         shown = f"[{address}]" if ":" in address else address
         yield f"http://{shown}:{page.port}/?token={page.token}", page.was_opened
@@ -109,38 +108,32 @@ class _Page:
 
     def __init__(self, host: Host) -> None:
         self.port = 0
-        self.listener: Listener
+        self.servers: list[asyncio.Server] = []
         self.token = secrets.token_urlsafe(24)
         begin = time.perf_counter()
         self.watcher = Watcher(lambda: time.perf_counter() - begin)
         self.was_opened = asyncio.Event()
         self._host = host
         self._sockets: set[web.WebSocketResponse] = set()
-        self._connections: dict[web.RequestHandler, None] = {}
         self._shown: set[asyncio.BaseProtocol] = set()
 
     # Connections
 
     def connected(self, server: web.Server) -> asyncio.BaseProtocol:
-        """Takes a connection; beyond the limit, the oldest one without an open page is closed."""
-        open_ones = set(server.connections)
-        self._connections = {each: None for each in self._connections if each in open_ones}
-        if len(self._connections) >= MOST_PAGE_CONNECTIONS:
-            self.full()
-        connection = server()
-        self._connections[connection] = None
-        return connection
+        """Takes a connection; beyond the limit, the oldest without an open page are closed."""
+        asyncio.get_running_loop().call_later(PERIOD, self._limit, server)
+        return server()
 
-    def full(self) -> None:
-        """Closes the oldest connection without an open page."""
-        for connection in [each for each in self._connections if each not in self._shown][:1]:
-            del self._connections[connection]
-            if connection.transport is not None:
-                connection.transport.abort()
+    def _limit(self, server: web.Server) -> None:
+        silent = [each for each in server.connections if each not in self._shown]
+        for oldest in silent[: max(0, len(server.connections) - MOST_PAGE_CONNECTIONS)]:
+            if oldest.transport is not None:
+                oldest.transport.abort()
 
     async def close(self) -> None:
         """Closes the port and all pages."""
-        self.listener.close()
+        for server in self.servers:
+            server.close()
         for socket in list(self._sockets):
             with suppress(OSError, TimeoutError):
                 await asyncio.wait_for(socket.close(), 1)

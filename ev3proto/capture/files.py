@@ -24,7 +24,17 @@ from ev3proto.capture.safe_paths import Shelf, parts_of, safe_name
 from ev3proto.dialogue import Transfer
 from ev3proto.errors import counted
 from ev3proto.messages import SystemCommand, SystemReply
-from ev3proto.semantics.transfers import LISTINGS, UPLOADS, ends, entry_of, piece_of, read_listing, shortage, size_of
+from ev3proto.semantics.transfers import (
+    LISTINGS,
+    UPLOADS,
+    ends,
+    entry_of,
+    handle_of,
+    piece_of,
+    read_listing,
+    shortage,
+    size_of,
+)
 from ev3proto.tables.system import FieldKind, SystemDeclaration
 from ev3proto.temporary import PREFIX, temporary_folder
 
@@ -343,8 +353,8 @@ class _Files:
         self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
     ) -> _Moving | None:
         """Returns the pieces of a file whose beginning was not captured, so that its path is unknown."""
-        handle = message.fields.get("handle")
-        if not isinstance(handle, int):
+        handle = handle_of(message)
+        if handle is None:
             return None
         direction = FROM_BRICK if entry.name in UPLOADS else TO_BRICK
         key = (record.end, direction, handle)

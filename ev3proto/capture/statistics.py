@@ -320,11 +320,9 @@ class Statistics:
         self._further += len(counted) == 1
         for each in counted:
             each.message(record)
-        if message.type is None:
-            pass
-        elif message.type.is_command and record.request is None:
+        if message.type is not None and message.type.is_command and record.request is None:
             self._command(record, counted)
-        else:
+        elif message.type is not None:
             carried = _carried(message if record.request is None else record.request.message)
             for each in counted:
                 each.reply(record, carried, is_error(message))

@@ -16,7 +16,7 @@ from ev3proto.link.errors import LinkError, SystemCommandError, TransferError
 from ev3proto.messages import DirectCommand, SystemCommand, SystemReply
 from ev3proto.ops import file, memory_usage
 from ev3proto.semantics.replies import values_of
-from ev3proto.semantics.transfers import File, Listing, is_complete, piece_of, read_listing, size_of
+from ev3proto.semantics.transfers import File, Listing, handle_of, is_complete, piece_of, read_listing, size_of
 from ev3proto.system import (
     begin_download,
     begin_upload,
@@ -206,8 +206,8 @@ def _compare(data: bytes, listing: Listing, place: str, path: str) -> File:
 def _begun(reply: SystemReply, path: str) -> int:
     """Returns the handle that the brick gave. Raises SystemCommandError if it gave none."""
     _check(reply, path)
-    handle = reply.fields.get("handle")
-    if not isinstance(handle, int):
+    handle = handle_of(reply)
+    if handle is None:
         raise SystemCommandError(reply, path)
     return handle
 

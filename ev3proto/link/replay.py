@@ -10,15 +10,16 @@ from dataclasses import dataclass
 from enum import Enum
 from itertools import chain
 
-from ev3proto.capture.dialogues import RequestReply
+from ev3proto.capture.dialogues import RequestReply, is_error
 from ev3proto.capture.record import Direction, Record
 from ev3proto.link.harm import Harm, harms_of
 from ev3proto.link.policy import Outcome, Policy, Talk
 from ev3proto.link.transfers import OpenTransfers
-from ev3proto.messages import Message, SystemCommand, SystemReply
+from ev3proto.messages import Message, SystemReply
 from ev3proto.schema.frame import parse
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.replies import Value, values_of
+from ev3proto.semantics.transfers import handle_of, step_of
 from ev3proto.tables import operations
 from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import MessageType
@@ -62,7 +63,7 @@ def plan(found: Iterable[Step], allowed: frozenset[str]) -> Iterator[tuple[Step,
     """Yields each step with the reasons to omit it, if the brick answers as recorded."""
     opened = OpenTransfers()
     for step in found:
-        message, handle = step.command.message, _handle_of(step.command.message)
+        message, handle = step.command.message, handle_of(step.command.message)
         harms = harms_of(message, allowed)
         if not harms and handle is not None and handle not in opened and Harm.COMPUTING not in allowed:
             harms = {Harm.COMPUTING: _LEFT_HANDLE}
@@ -86,7 +87,7 @@ class Replay:
         if message.type is None:
             # It cannot be sent with a new counter.
             return Outcome({Harm.UNKNOWN: "the frame"})
-        recorded = _handle_of(message)
+        recorded = handle_of(message)
         handle = None if recorded is None else self._now.get(recorded)
         if recorded is not None and handle is None and Harm.COMPUTING not in self._allowed:
             return Outcome(harms_of(message, self._allowed) or {Harm.COMPUTING: _LEFT_HANDLE})
@@ -103,15 +104,13 @@ class Replay:
 
     def _learn(self, step: Step, reply: bytes | None) -> None:
         """Takes a reply: a file that this brick and the recorded one have opened may have another handle now."""
-        entry = SYSTEM_BY_NUMBER.get(getattr(step.command.message, "number", -1))
-        if step.reply is None or entry is None or entry.transfer != "begin":
+        if step.reply is None or step_of(step.command.message) != "begin":
             return
-        was, now = step.reply.message, parse(reply or b"", strict=False)
-        recorded = was.fields.get(_HANDLE) if isinstance(was, SystemReply) else None
-        handle = now.fields.get(_HANDLE) if isinstance(now, SystemReply) else None
-        if isinstance(recorded, int):
+        recorded, now = handle_of(step.reply.message), parse(reply or b"", strict=False)
+        if recorded is not None:
             self._now.pop(recorded, None)
-            if isinstance(handle, int) and isinstance(now, SystemReply) and not now.is_error:
+            handle = None if is_error(now) else handle_of(now)
+            if handle is not None:
                 self._now[recorded] = handle
 
 
@@ -138,11 +137,6 @@ def _of_values(recorded: Sequence[Value], values: Sequence[Value]) -> tuple[Like
         # Handles, and memory that was not written to, may also differ.
         return Likeness.SAME, f"recorded: {shown}{more}" if shown else ""
     return Likeness.VALUES, f"recorded: {shown or 'other bytes'}{more}"
-
-
-def _handle_of(message: Message) -> int | None:
-    handle = message.fields.get(_HANDLE) if isinstance(message, SystemCommand) else None
-    return handle if isinstance(handle, int) else None
 
 
 def _outcome(message: Message) -> tuple[MessageType | None, int | None]:

@@ -6,7 +6,7 @@ from collections.abc import Generator, Mapping
 from typing import TypeAlias
 
 from ev3proto.messages import Message, SystemCommand, SystemReply
-from ev3proto.semantics.transfers import LISTINGS, ends, step_of
+from ev3proto.semantics.transfers import LISTINGS, ends, handle_of, step_of
 from ev3proto.system import close_filehandle, continue_list_files
 
 Ending: TypeAlias = Generator[SystemCommand, Message | None, None]
@@ -18,8 +18,8 @@ _MOST_PIECES = 10_000
 
 def is_of(command: SystemCommand, transfers: Mapping[int, str]) -> bool:
     """Returns whether a command continues a transfer of its own kind, or closes one that is not a listing."""
-    handle, name = command.fields.get("handle"), str(command.command)
-    begun = transfers.get(handle) if isinstance(handle, int) else None
+    handle, name = handle_of(command), str(command.command)
+    begun = None if handle is None else transfers.get(handle)
     if begun is None:
         return False
     if name.startswith("CONTINUE_"):
@@ -49,13 +49,12 @@ class OpenTransfers(dict[int, str]):
         Without a reply it may have been the last piece, after which the handle is another client's.
         """
         step = step_of(command)
-        if step is None:
+        if step is None or not isinstance(command, SystemCommand):
             return
-        assert isinstance(command, SystemCommand)
         answer = reply if isinstance(reply, SystemReply) and reply.number == command.number else None
         begun = answer if step == "begin" else None
-        handle = (begun or command).fields.get("handle")
-        if not isinstance(handle, int):
+        handle = handle_of(begun or command)
+        if handle is None:
             return
         if answer is None or ends(answer):
             self.pop(handle, None)

@@ -83,6 +83,12 @@ def piece_of(message: Message) -> bytes:
     return b""
 
 
+def handle_of(message: Message | None) -> int | None:
+    """Returns the handle in a system message; None for other messages, and without one."""
+    handle = message.fields.get("handle") if isinstance(message, SystemCommand | SystemReply) else None
+    return handle if isinstance(handle, int) else None
+
+
 def size_of(message: SystemCommand | SystemReply) -> int | None:
     """Returns the size in bytes that a message announces of a file or listing; None if it announces none."""
     size = message.fields.get("size", message.fields.get("list_size"))

@@ -397,7 +397,24 @@ def _lost(place: Place) -> Iterator[Edit]:
         yield Edit("lost", at + behind, at + behind, b"\0", place.names, guess=1)
 
 
-_AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost)
+def _digits(place: Place) -> Iterator[Edit]:
+    """Yields the edits of the first byte of an argument that is hardly meant, of which one digit may be wrong."""
+    argument, at = place.argument, place.at
+    first = place.code.data[at]
+    if argument is None or place.code.cost_of(place.known, argument) >= _HARDLY_MEANT:
+        for other in _near(first):
+            yield Edit("digit", at, at + 1, bytes((other,)), (*place.names, f"{first:02X}", f"{other:02X}"))
+
+
+def _near(number: int) -> Iterator[int]:
+    """Yields the bytes that differ in one digit."""
+    yield from (number & 0xF0 | digit for digit in range(16) if digit != number & 0xF)
+    yield from (number & 0xF | digit << 4 for digit in range(16) if digit != number >> 4)
+
+
+_HARDLY_MEANT = 2.0  # the cost of an argument
+
+_AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost, _digits)
 
 
 def _filler(known: ParameterFacts, code: CommandCode, before: list[Argument]) -> bytes:
@@ -559,7 +576,7 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
     if reading.cost >= _SUSPICIOUS:
         yield from _other_opcodes(code, start)
     if family is not None:
-        yield from _of_cmd(code, start, family)
+        yield from _of_cmd(code, start, family, reading.cost)
     elif schema is not None and schema.declaration.parameters:
         for other in _shorter(code, schema):
             words = (schema.declaration.name, schema.declaration.parameters[-1].name, other.declaration.name)
@@ -567,11 +584,16 @@ def _of_opcode(code: CommandCode, start: int, reading: Reading) -> Iterator[Edit
             yield Edit("opcode", start, start + 1, other.head, words, 0.5 * (distance > 1))
 
 
-def _of_cmd(code: CommandCode, start: int, family: FamilySchema) -> Iterator[Edit]:
+def _of_cmd(code: CommandCode, start: int, family: FamilySchema, cost: float) -> Iterator[Edit]:
     at, name = start + 1 + len(_PLACE), family.opcode.name
     other = family.short.get(code.data[at]) if at < len(code.data) else None
     if other is not None and _begins_with_place(other):
         yield Edit("cmd-place", start + 1, at + 1, code.data[at : at + 1] + code.data[start + 1 : at], (name,))
+    given = code.data[start + 1 : start + 2]
+    for cmd in _near(given[0]) if given and cost >= _SUSPICIOUS else ():
+        if cmd in family.short:
+            words = "CMD", name, spaced(given), f"{cmd:02X}"
+            yield Edit("digit", start + 1, start + 2, bytes((cmd,)), words, 1.5 if given[0] in family.short else 0.5)
     for cmd in family.short:
         yield Edit("no-cmd", start + 1, start + 1, bytes((cmd,)), (name,), guess=1)
 

@@ -19,6 +19,9 @@ from ev3proto.semantics.facts import operation_facts
 from ev3proto.semantics.likelihood import CommandCode, rarity
 
 _REPEATED = -0.1  # the cost of the same slip again: one habit explains all
+_LEFT_OUT = {"none left out": "one left out", "one left out": "two left out"}
+"""What a path becomes by each of two arguments that are missing."""
+_ANOTHER = 1.25  # the further cost of each of them
 _LONGEST = 300  # bytes of a frame
 
 
@@ -57,7 +60,7 @@ def habitual(code: CommandCode) -> Iterator[tuple[tuple[Edit, ...], float, float
     size = len(code.data)
     if size > _LONGEST:
         return
-    paths: _Paths = {(COMMAND_HEADER_SIZE, kind): _Path() for kind in HABITS}
+    paths: _Paths = {(COMMAND_HEADER_SIZE, kind): _Path() for kind in (*HABITS, "none left out")}
     while True:
         at = min((start for start, _ in paths if start < size), default=size)
         here = {key: path for key, path in paths.items() if key[0] == at}
@@ -67,9 +70,10 @@ def habitual(code: CommandCode) -> Iterator[tuple[tuple[Edit, ...], float, float
             del paths[key]
         for key, path in _operation(code, at, here).items():
             _keep(paths, key, path)
-    for (_, kind), path in here.items():
+    for path in here.values():
         if len(path.edits) > 1:
-            yield path.edits, SLIPS[kind].cost + path.extra + _REPEATED * (len(path.edits) - 1), path.read
+            cost = SLIPS[path.edits[0].kind].cost + path.extra + _REPEATED * (len(path.edits) - 1)
+            yield path.edits, cost, path.read
 
 
 def _keep(paths: _Paths, key: tuple[int, str], path: _Path) -> None:
@@ -121,9 +125,12 @@ def _argument(code: CommandCode, schema: OperationSchema, number: int, reader: R
             arguments = (*path.arguments, argument)
             if edit is None:
                 _keep(here, (end, kind), path._replace(read=path.read + cost, arguments=arguments))
-            elif edit.kind == kind:
+            elif edit.kind == kind and not edit.guess:
                 new = _Path(path.read + cost, path.extra + edit.extra, (*path.edits, edit), arguments)
                 _keep(here, (end, kind), new)
+            elif edit.kind == "missing" and kind in _LEFT_OUT:
+                extra = path.extra + max(edit.extra, 0.0) + _ANOTHER
+                _keep(here, (end, _LEFT_OUT[kind]), _Path(path.read + cost, extra, (*path.edits, edit), arguments))
     return here
 
 
@@ -138,7 +145,7 @@ def _options(
     argument, end = plain or (None, min(at + 1, len(data)))
     place = Place(code, facts.name, known, at, end, argument, len(facts.parameters) - number - 1)
     for edit in argument_edits(place, list(before)):
-        if edit.kind not in HABITS or edit.guess or edit.at < at:
+        if edit.kind not in HABITS or edit.at < at:
             continue
         local, stop = data[at : edit.at] + edit.new + data[edit.end :], edit.at - at + len(edit.new)
         after = _read(reader, local, 0)

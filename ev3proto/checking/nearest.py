@@ -53,10 +53,11 @@ _MOST_OF_FIRST = 5.0  # the cost of one slip from which on the same slip in seve
 _OTHER_LENGTH = 3.5  # the cost of a length that is wrong besides
 _COPIED = -1.5  # the length was right before a slip in copying
 _MOST_OF_REPLY = 11  # the cost of a long reply where commands are expected
+_DIGIT_OF_MEMORY = 1.0  # the cost of more memory than is used, by one digit
 _WITH_MEMORY = 0.5  # the cost of global memory for a variable that was local
 _LARGE_COUNTER = 1.5  # a counter of 32768 and more
 
-_OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "header-order": (3.0, -2.5)}
+_OF_MEMORY = {"memory-swapped": (0.0, -1.5), "memory-shift": (0.0, -1.5), "header-order": (3.0, -3.3)}
 """Edits after which the header requests other memory: what speaks for them if it is not, or is, what is used."""
 
 # Bounds on what is tried for one frame.
@@ -254,9 +255,10 @@ class _Search:
 
     def _fitted(self, candidate: _Candidate, report: Report) -> tuple[_Candidate, Report]:
         """Returns a candidate and its report; it requests more memory if only that is wrong with it."""
-        if not report.errors or not {finding.code for finding in report.errors} <= _BEYOND:
+        kind = candidate.edits[0].kind
+        if kind == "digit" or not report.errors or not {finding.code for finding in report.errors} <= _BEYOND:
             return candidate, report
-        is_moved = candidate.edits[0].kind == "scope"  # from local memory, which is not needed then
+        is_moved = kind == "scope"  # from local memory, which is not needed then
         frame = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
         if frame == candidate.frame:
             return candidate, report
@@ -385,6 +387,11 @@ class _Search:
         edit = Edit("memory-size", at, end, new[at:end], words, guess=guess)
         if new != whole:
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
+        elif is_exact:
+            less = write_memory(*sizes)
+            if sum(one != other for one, other in zip(less.hex(), whole[at:end].hex(), strict=True)) == 1:
+                new = whole[:at] + less + whole[end:]
+                yield _Candidate((edit,), _DIGIT_OF_MEMORY + base, self._read(new), new)
         message = read_last(whole, self._dialect)
         results = [one for one in message.operations if one.has_outputs] if isinstance(message, DirectCommand) else []
         if frame[TYPE_AT] == MessageType.DIRECT_COMMAND_NO_REPLY and results and sizes[0]:
@@ -437,7 +444,7 @@ def _once(one: _Judged, habits: list[_Judged]) -> _Judged:
     """Returns a candidate with one slip; it is dearer if the same slip is as likely in other places."""
     edit = one.candidate.edits[0]
     alike = [habit.candidate.edits for habit in habits if edit in habit.candidate.edits]
-    is_likely = any(sum(other.extra < _LIKELY for other in edits) > 1 for edits in alike)
+    is_likely = any(sum(other.extra < _LIKELY and not other.guess for other in edits) > 1 for edits in alike)
     return one._replace(cost=one.cost + _ELSEWHERE, doubt=one.doubt + _ELSEWHERE) if is_likely else one
 
 
@@ -484,12 +491,14 @@ def _suggestion(judged: _Judged, *, is_clear: bool) -> Suggestion:
     edits, frame = judged.candidate.edits, judged.candidate.frame
     first = edits[0]
     message = SLIPS[first.kind].sentence.format(*first.words)
-    if len(edits) > 1:
+    if first.kind == "missing" and any(edit.guess for edit in edits) and len(edits) > 1:
+        message += "; so is {} of {}".format(*edits[1].words)
+    elif len(edits) > 1:
         message += f"; the same in {len(edits) - 1} more place{'s' if len(edits) > 2 else ''}"
     unknown: list[tuple[int, int]] = []
+    moved = 0
     for edit in edits:
-        moved = len(edit.new) - edit.end + edit.at
-        unknown = [(at + moved if at >= edit.end else at, size) for at, size in unknown]
-        unknown += [(edit.at, edit.guess)] if edit.guess else []
+        unknown += [(edit.at + moved, edit.guess)] if edit.guess else []
+        moved += len(edit.new) - edit.end + edit.at
     is_sure = is_clear and not unknown and judged.doubt <= SURE and first.kind not in CHOICES
     return Suggestion(first.kind, first.at, first.end - first.at, message, frame, tuple(unknown), is_sure)

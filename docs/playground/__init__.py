@@ -2,8 +2,9 @@
 
 npm fetches Pyodide (Python for browsers) and Vega by package-lock.json. `packing` packs what Python imports;
 make_snapshot.mjs starts it once in node and keeps a snapshot of its memory, from which boot.js starts in the browser,
-or without it; loads.js counts what comes, and missing.js says what of the page does not. service-worker.js keeps the
-files that `build` names. first.js shows a frame in hex before Python is there.
+or without it; loads.js counts what comes, and missing.js says what of the page does not. esbuild joins the scripts to
+playground.js and worker.js. service-worker.js keeps the files that `build` names. first.js shows a frame in hex before
+Python is there.
 
 state.js has what the page knows, from which its texts follow; each other script has one concern. The brick is shown
 by ev3proto/brick/servers/page/static/brick.js, as on the page of `brick --http`. The worker runs Python, the

@@ -13,6 +13,7 @@ import json
 import re
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Iterator
 from importlib.resources import files
 from pathlib import Path
@@ -38,10 +39,14 @@ WITHOUT = "no_playground"
 
 DECODER = (decoder.DECODER_NAME, decoder.TEXTS_NAME)
 """What shows the first frame without Python."""
-IMPORT = re.compile(r'^(?:import|export) .*from "\./([\w.-]+)";$', re.MULTILINE)
-PAGE = ("*.html", "*.css", "*.js")
+APART = "timeline.js"
+"""A script that is loaded when it is used, with Vega."""
+PAGE = ("*.html", "*.css", "missing.js", APART)
 SERVICE_WORKER = "service-worker.js"
-BRICK = ("brick.css", "brick.js", "icon.svg")
+BRICK = ("brick.css", "icon.svg")
+BRICK_SCRIPT = "brick.js"
+JOINED = ("playground.js", "worker.js")
+"""Scripts that are each joined with what they import: the first frame then waits for a few files, not for forty."""
 PYODIDE = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
 SNAPSHOTS = ("snapshot.bin", "snapshot_brotli.bin")
 LARGE = ("python.zip", *SNAPSHOTS, *(f"pyodide/{name}" for name in PYODIDE))
@@ -86,8 +91,9 @@ def build(site: Path, npm: Path) -> None:
     modules = _installed(npm)
     for name in ("pyodide", "vega"):
         (site / name).mkdir(parents=True, exist_ok=True)
+    brick = files("ev3proto.brick.servers.page") / "static"
     for name in BRICK:
-        (site / name).write_bytes((files("ev3proto.brick.servers.page") / "static" / name).read_bytes())
+        (site / name).write_bytes((brick / name).read_bytes())
     for name in PYODIDE:
         shutil.copy(modules / "pyodide" / name, site / "pyodide" / name)
     for name in VEGA:
@@ -101,26 +107,31 @@ def build(site: Path, npm: Path) -> None:
     (site / "lesson.json").write_text(json.dumps(list(_lesson()), indent=1), encoding="utf-8")
     shutil.copy(CONFORMANCE, site / CONFORMANCE.name)
     pack(site / "python.zip", modules / "pyodide" / "python_stdlib.zip")
-    for name in DECODER:
-        (site / name).write_text(EXPORTED[name](), encoding="utf-8")
     _make_snapshot(modules / "pyodide", site)
-    sizes = json.dumps({name: (site / name).stat().st_size for name in LARGE})
     for file in sorted(file for kind in PAGE for file in HERE.glob(kind)):
-        text = file.read_text(encoding="utf-8").replace("@VERSION@", VERSION).replace("/* @SIZES@ */ {}", sizes)
-        text = text.replace("<!-- @MODULES@ -->", "\n".join(_preloads()))
+        text = file.read_text(encoding="utf-8").replace("@VERSION@", VERSION)
         (site / file.name).write_text(text, encoding="utf-8")
+    scripts = {name: EXPORTED[name]() for name in DECODER}
+    scripts |= {file.name: file.read_text(encoding="utf-8") for file in HERE.glob("*.js")}
+    scripts[BRICK_SCRIPT] = (brick / BRICK_SCRIPT).read_text(encoding="utf-8")
+    sizes = json.dumps({name: (site / name).stat().st_size for name in LARGE})
+    scripts["boot.js"] = scripts["boot.js"].replace("/* @SIZES@ */ {}", sizes)
+    _join(modules, scripts, site)
     (site / "licences.txt").write_text("\n".join([*_licences(modules), ""]), encoding="utf-8")
     _name_files(site)
 
 
-def _preloads() -> Iterator[str]:
-    """Yields a link for each module that the page imports at once, so that the browser loads them side by side."""
-    found = ["playground.js"]
-    for name in found:
-        file = HERE / name
-        imported = IMPORT.findall(file.read_text(encoding="utf-8")) if file.exists() else []
-        found += [each for each in dict.fromkeys(imported) if each not in found]
-    yield from (f'<link rel="modulepreload" href="{name}">' for name in found[1:])
+def _join(modules: Path, scripts: dict[str, str], site: Path) -> None:
+    """Joins the scripts of the page, and those of its worker."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in scripts.items():
+            (Path(folder) / name).write_text(text, encoding="utf-8")
+        command = [shutil.which("node") or "node", str(modules / "esbuild-wasm" / "bin" / "esbuild"), *JOINED]
+        command += ["--bundle", "--minify", "--format=esm", "--log-level=warning"]
+        command += [f"--external:./{APART}", f"--outdir={site}"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode or done.stderr:
+        raise ExtensionError(f"the scripts of the playground cannot be joined: {done.stderr.strip()[:600]}")
 
 
 def _make_snapshot(pyodide: Path, site: Path) -> None:

@@ -1,4 +1,4 @@
-// The first frame without Python: the second path beside Python's tree, since a link's frame is there after 0.7 s in place of 12 at 10 Mbit/s.
+// The first frame without Python: the second path beside Python's tree, since a link's frame is there after 0.25 s in place of 12 at 10 Mbit/s.
 // It reads one frame in hex and no more.
 
 import { decode } from "./ev3-decode.mjs";

@@ -1,12 +1,9 @@
 // Python in a worker: questions to it, the parts of an answer as they come, and what it says by itself.
 
-/** The scripts of the worker. */
-const SCRIPTS = ["worker.js", "boot.js", "loads.js"];
+/** The script of the worker. */
+const SCRIPT = "worker.js";
 /** Milliseconds without a byte after which the page says what it waits for. */
 const PATIENCE = 15_000;
-
-/** @param {string} file */
-const isThere = (file) => fetch(new URL(file, import.meta.url)).then(({ ok }) => ok, () => false);
 
 /**
  * @typedef {object} Said  what Python says by itself; one of these
@@ -30,14 +27,13 @@ export class Python {
   /** @param {(said: Said) => void} hear  takes what it says by itself */
   constructor(hear) {
     this.#hear = hear;
-    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    this.#worker = new Worker(new URL(SCRIPT, import.meta.url), { type: "module" });
     this.#worker.postMessage({ saveData: Reflect.get(navigator, "connection")?.saveData === true });
-    this.#worker.onerror = async ({ message }) => {
+    this.#worker.onerror = ({ message }) => {
       clearTimeout(this.#timer);
-      const found = await Promise.all(SCRIPTS.map(isThere));
-      hear({ failed: message || `${SCRIPTS[found.indexOf(false)] ?? "worker.js"} is missing` });
+      hear({ failed: message || `${SCRIPT} is missing` });
     };
-    this.#watch({ missing: 0, file: "worker.js" });
+    this.#watch({ missing: 0, file: SCRIPT });
     this.#worker.onmessage = ({ data }) => {
       const asked = this.#waiting.get(data.number);
       if (data.progress) this.#watch(data.progress);

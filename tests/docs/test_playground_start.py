@@ -187,7 +187,6 @@ def test_frames_look_the_same_before_python_is_there_and_after(visitor: tuple[Pa
 
 # Missing files
 
-SCRIPTS = ("worker.js", "boot.js", "loads.js")
 PYODIDE = tuple(f"pyodide/pyodide.{name}" for name in ("mjs", "asm.js", "asm.wasm"))
 
 
@@ -195,7 +194,7 @@ def test_each_missing_file_is_named(visitor: tuple[Page, Line], built: Path) -> 
     page, line = visitor
     index = (built / "playground" / "index.html").read_text(encoding="utf-8")
     own = re.findall(r'(?:href|src)="([\w-]+\.(?:css|m?js))"', index)
-    assert {"playground.css", "playground.js", "rows.js", "ev3-decode.mjs"} <= set(own)
+    assert {"playground.css", "playground.js"} <= set(own)
     own.remove("missing.js")
     for name in own:
         line.lacking = {name}
@@ -203,7 +202,7 @@ def test_each_missing_file_is_named(visitor: tuple[Page, Line], built: Path) -> 
         page.wait(partial(says, page, "late", f"{name} is missing. Reload the page"))
         assert page.is_shown("late")
         assert name.endswith(".css") or page.text("status") == page.text("late")
-    for name in (*SCRIPTS, *PYODIDE):
+    for name in ("worker.js", *PYODIDE):
         line.lacking = {name}
         page.open(fragment(TONE), wait=False)
         page.wait(partial(says, page, "status", f"Python cannot be loaded: {name} is missing"))
@@ -227,15 +226,15 @@ def test_a_file_that_is_late_is_named_and_may_still_come(visitor: tuple[Page, Li
             line.held = set()
             page.wait(lambda: page.is_ready and page.text("status") == "")
         # The driver waits for a page as a whole, but not for one inside another.
-        line.held = {"view.js"}
+        line.held = {"playground.js"}
         page.browser.get(page.address.replace("index.html", "licences.txt"))
         page.run(
             "document.body.append(document.createElement('iframe')); frames[0].location = arguments[0]", page.address
         )
-        page.wait(lambda: [each.rpartition("/")[2] for each in page.run(MISSING)] == ["view.js"])
+        page.wait(lambda: [each.rpartition("/")[2] for each in page.run(MISSING)] == ["playground.js"])
         page.run("frames[0].areOver = true")
         said = "return frames[0].document.getElementById('status').textContent"
-        page.wait(lambda: str(page.run(said)).startswith("view.js has not arrived after 15 seconds"))
+        page.wait(lambda: str(page.run(said)).startswith("playground.js has not arrived after 15 seconds"))
         line.held = set()
         page.wait(lambda: page.run("return frames[0].document.body.dataset.begun"))
 

@@ -89,26 +89,12 @@ class OpenTransfer:
     done: int = 0  # bytes transferred so far
 
 
-Function = Callable[["SystemCommands", Request], Answer | None]
-
-_FUNCTIONS: dict[str, Function] = {}
-
-
-def _answers(name: str) -> Callable[[Function], Function]:
-    """Registers the method that answers a system command, by its name."""
-
-    def register(function: Function) -> Function:
-        _FUNCTIONS[name] = function
-        return function
-
-    return register
-
-
 class SystemCommands:
-    """The transfers in progress, and a method for each system command."""
+    """The transfers in progress, and what answers system commands."""
 
     def __init__(self, brick: Equipment, machine: Machine) -> None:
         self._brick = brick
+        self.files = brick.files
         self._machine = machine
         self._transfers: dict[int, OpenTransfer] = {}
 
@@ -170,11 +156,10 @@ class SystemCommands:
 
     # To the brick
 
-    @_answers("BEGIN_DOWNLOAD")
     def begin_download(self, request: Request) -> Answer:
         """Creates the file and the missing folders."""
         path, size = request.text("path"), request.number("size")
-        files = self._brick.files
+        files = self.files
         if not self._is_name(path) or len(self._transfers) >= HANDLES:
             return _refused(SystemStatus.NO_HANDLES_AVAILABLE)
         if size > files.free - RESERVE:
@@ -187,7 +172,6 @@ class SystemCommands:
         assert handle is not None
         return self._download(handle, bytes(request.fields.get("data", b"")))
 
-    @_answers("CONTINUE_DOWNLOAD")
     def continue_download(self, request: Request) -> Answer:
         """Writes up to the size that was announced."""
         if self._find(request, "BEGIN_DOWNLOAD") is None:
@@ -208,31 +192,19 @@ class SystemCommands:
 
     # From the brick
 
-    @_answers("BEGIN_UPLOAD")
-    def begin_upload(self, request: Request) -> Answer:
-        """Opens a file and sends its first piece."""
-        return self._open(request, "BEGIN_UPLOAD", SystemStatus.NO_HANDLES_AVAILABLE, SystemStatus.UNKNOWN_HANDLE)
-
-    @_answers("BEGIN_GETFILE")
-    def begin_getfile(self, request: Request) -> Answer:
-        """Does the same for a file that may still grow."""
-        return self._open(request, "BEGIN_GETFILE", SystemStatus.UNKNOWN_HANDLE, SystemStatus.HANDLE_NOT_READY)
-
-    def _open(self, request: Request, command: str, bad_name: SystemStatus, missing: SystemStatus) -> Answer:
+    def open(self, request: Request, command: str, bad_name: SystemStatus, missing: SystemStatus) -> Answer:
+        """Opens a file, which for GETFILE may still grow, and sends its first piece."""
         path = request.text("path")
         if not self._is_name(path) or len(self._transfers) >= HANDLES:
             return Answer(bad_name, _EMPTY)
-        file = self._brick.files.open_to_read(path)
+        file = self.files.open_to_read(path)
         if file is None:
             return Answer(missing, _EMPTY)
-        return self._begin(
-            request, OpenTransfer(request.channel, command, file, 0, self._brick.files.locate(path)), missing
-        )
+        return self._begin(request, OpenTransfer(request.channel, command, file, 0, self.files.locate(path)), missing)
 
-    @_answers("LIST_FILES")
     def list_files(self, request: Request) -> Answer:
         """Makes the listing of a folder, and sends its first piece."""
-        listing = self._brick.files.listing(request.text("path"))
+        listing = self.files.listing(request.text("path"))
         if listing is None:
             return Answer(SystemStatus.UNKNOWN_ERROR, _EMPTY)
         transfer = OpenTransfer(request.channel, "LIST_FILES", io.BytesIO(listing), len(listing))
@@ -242,22 +214,8 @@ class SystemCommands:
         handle = self._add(transfer)
         return Answer(no_handle, _EMPTY) if handle is None else self._piece(request, handle, has_size=True)
 
-    @_answers("CONTINUE_UPLOAD")
-    def continue_upload(self, request: Request) -> Answer:
-        """Sends the next piece."""
-        return self._continue(request, "BEGIN_UPLOAD", SystemStatus.UNKNOWN_HANDLE)
-
-    @_answers("CONTINUE_GETFILE")
-    def continue_getfile(self, request: Request) -> Answer:
-        """Sends the next piece, and the present size of the file."""
-        return self._continue(request, "BEGIN_GETFILE", SystemStatus.UNKNOWN_HANDLE)
-
-    @_answers("CONTINUE_LIST_FILES")
-    def continue_list_files(self, request: Request) -> Answer:
-        """Sends the next piece, cut wherever it is full."""
-        return self._continue(request, "LIST_FILES", SystemStatus.UNKNOWN_ERROR)
-
-    def _continue(self, request: Request, command: str, unknown: SystemStatus) -> Answer:
+    def proceed(self, request: Request, command: str, unknown: SystemStatus) -> Answer:
+        """Sends the next piece, cut wherever it is full; for GETFILE with the present size of the file."""
         if self._find(request, command) is None:
             return Answer(unknown, _EMPTY)
         return self._piece(request, request.number("handle"), has_size=command == "BEGIN_GETFILE")
@@ -289,7 +247,6 @@ class SystemCommands:
 
     # The rest
 
-    @_answers("CLOSE_FILEHANDLE")
     def close_filehandle(self, request: Request) -> Answer:
         """Closes any handle."""
         handle = request.number("handle")
@@ -299,28 +256,11 @@ class SystemCommands:
         self._release(handle)
         return Answer(SystemStatus.SUCCESS, {"handle": handle})
 
-    @_answers("CREATE_DIR")
-    def create_dir(self, request: Request) -> Answer:
-        """Creates one folder in an existing one."""
-        return _permitted(self._brick.files.make_folder(request.text("path")[:CUT_PATH]))
-
-    @_answers("DELETE_FILE")
-    def delete_file(self, request: Request) -> Answer:
-        """Deletes a file or an empty folder."""
-        return _permitted(self._brick.files.delete(request.text("path")[:CUT_PATH]))
-
-    @_answers("LIST_OPEN_HANDLES")
-    def list_open_handles(self, _: Request) -> Answer:
-        """Answers zeros, as the firmware does."""
-        return Answer(SystemStatus.SUCCESS, {"handles": _OPEN_HANDLES})
-
-    @_answers("WRITEMAILBOX")
     def write_mailbox(self, request: Request) -> None:
         """Delivers a message to the first box of that name."""
         if "payload" in request.fields:
             self._brick.mailboxes.deliver(request.text("name"), bytes(request.fields["payload"]))
 
-    @_answers("BLUETOOTHPIN")
     def bluetooth_pin(self, request: Request) -> Answer:
         """Refuses by the status, not by the type of the reply: it works on USB only, which this brick lacks."""
         address = self._brick.settings.bluetooth_address
@@ -330,18 +270,9 @@ class SystemCommands:
         pin = request.text("pin").ljust(length, b"\0")[:length]
         return Answer(SystemStatus.ILLEGAL_CONNECTION, fields, is_error=False, rest=pin)
 
-    @_answers("SETBUNDLEID")
-    def set_bundle_id(self, request: Request) -> Answer:
-        """Accepts any that fits."""
-        return _set_bundle("SETBUNDLEID", request)
-
-    @_answers("SETBUNDLESEEDID")
-    def set_bundle_seed_id(self, request: Request) -> Answer:
-        """Accepts any that fits."""
-        return _set_bundle("SETBUNDLESEEDID", request)
-
 
 def _set_bundle(command: str, request: Request) -> Answer:
+    """Accepts any that fits."""
     entry = next(entry for entry in SYSTEM_BY_NUMBER.values() if entry.name == command)
     most = entry.request[0].most
     fits = most is None or len(request.text("id")) < most
@@ -354,3 +285,27 @@ def _refused(status: SystemStatus) -> Answer:
 
 def _permitted(is_done: bool) -> Answer:
     return Answer(SystemStatus.SUCCESS if is_done else SystemStatus.NO_PERMISSION, {})
+
+
+_NO_HANDLES, _UNKNOWN = SystemStatus.NO_HANDLES_AVAILABLE, SystemStatus.UNKNOWN_HANDLE
+_NOT_READY, _ERROR = SystemStatus.HANDLE_NOT_READY, SystemStatus.UNKNOWN_ERROR
+
+_FUNCTIONS: dict[str, Callable[[SystemCommands, Request], Answer | None]] = {
+    "BEGIN_DOWNLOAD": SystemCommands.begin_download,
+    "CONTINUE_DOWNLOAD": SystemCommands.continue_download,
+    "BEGIN_UPLOAD": lambda commands, request: commands.open(request, "BEGIN_UPLOAD", _NO_HANDLES, _UNKNOWN),
+    "CONTINUE_UPLOAD": lambda commands, request: commands.proceed(request, "BEGIN_UPLOAD", _UNKNOWN),
+    "BEGIN_GETFILE": lambda commands, request: commands.open(request, "BEGIN_GETFILE", _UNKNOWN, _NOT_READY),
+    "CONTINUE_GETFILE": lambda commands, request: commands.proceed(request, "BEGIN_GETFILE", _UNKNOWN),
+    "LIST_FILES": SystemCommands.list_files,
+    "CONTINUE_LIST_FILES": lambda commands, request: commands.proceed(request, "LIST_FILES", _ERROR),
+    "CLOSE_FILEHANDLE": SystemCommands.close_filehandle,
+    "CREATE_DIR": lambda commands, request: _permitted(commands.files.make_folder(request.text("path")[:CUT_PATH])),
+    "DELETE_FILE": lambda commands, request: _permitted(commands.files.delete(request.text("path")[:CUT_PATH])),
+    "LIST_OPEN_HANDLES": lambda *_: Answer(SystemStatus.SUCCESS, {"handles": _OPEN_HANDLES}),
+    "WRITEMAILBOX": SystemCommands.write_mailbox,
+    "BLUETOOTHPIN": SystemCommands.bluetooth_pin,
+    "SETBUNDLEID": lambda _, request: _set_bundle("SETBUNDLEID", request),
+    "SETBUNDLESEEDID": lambda _, request: _set_bundle("SETBUNDLESEEDID", request),
+}
+"""What answers each system command; it returns None for one that is not answered."""

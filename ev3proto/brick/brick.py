@@ -48,14 +48,7 @@ from ev3proto.brick.running_programs import (
 from ev3proto.brick.system_commands import SystemCommands
 from ev3proto.checking.verdict import Reason, verdict
 from ev3proto.errors import as_bytes
-from ev3proto.schema.header import (
-    COMMAND_HEADER_SIZE,
-    HEADER_SIZE,
-    Header,
-    build_frame,
-    frame_size,
-    read_memory,
-)
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, Header, build_frame, frame_size, read_memory
 from ev3proto.tables import check_dialect, operations
 from ev3proto.tables.devices import NO_DEVICE, DeviceType
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, TYPES_BY_KIND, MessageType

@@ -36,14 +36,7 @@ from ev3proto.schema.header import (
 from ev3proto.schema.instructions import InstructionSet, instruction_set
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy, system
-from ev3proto.tables.frame import (
-    LENGTH_FIELD,
-    MAX_FRAME,
-    MAX_LENGTH,
-    MESSAGE_TYPES,
-    MIN_LENGTH,
-    MessageType,
-)
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, MessageType
 
 Body = tuple[Message | None, bytes, DecodeError | None]
 """A message (None if its fixed part is cut), the unreadable bytes at its end, and the reason."""

@@ -32,13 +32,7 @@ from ev3proto.schema.header import (
 )
 from ev3proto.semantics.footprint import memory_of
 from ev3proto.semantics.mangled import mangled
-from ev3proto.tables.frame import (
-    COMMAND_TYPES,
-    DIRECT_COMMAND_TYPES,
-    LENGTH_FIELD,
-    MESSAGE_TYPES,
-    MessageType,
-)
+from ev3proto.tables.frame import COMMAND_TYPES, DIRECT_COMMAND_TYPES, LENGTH_FIELD, MESSAGE_TYPES, MessageType
 from ev3proto.tables.strangers import HUB, NXT, NXT_ANSWERS, NXT_REPLY, NXT_STATUS
 
 LOOKS = 7

@@ -3,18 +3,7 @@
 Most take a set of ports as a bit mask (NOS), a few the number of one port (NO).
 """
 
-from ev3proto.tables.declaration import (
-    DATA8,
-    DATA16,
-    DATA32,
-    UNRELEASED,
-    Effect,
-    In,
-    Opcode,
-    Out,
-    Parameter,
-    Role,
-)
+from ev3proto.tables.declaration import DATA8, DATA16, DATA32, UNRELEASED, Effect, In, Opcode, Out, Parameter, Role
 from ev3proto.tables.enumerations import TYPE
 from ev3proto.tables.ports import MotorPort, MotorPorts
 

@@ -19,23 +19,9 @@ from ev3proto.messages import (
 )
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
 from ev3proto.semantics.replies import Value, field_values
-from ev3proto.tables.encoding import (
-    ADDRESS_BIT,
-    ENCODINGS,
-    GLOBAL_BIT,
-    HANDLE_BIT,
-    LONG_BIT,
-    TEXT,
-    VARIABLE_BIT,
-)
+from ev3proto.tables.encoding import ADDRESS_BIT, ENCODINGS, GLOBAL_BIT, HANDLE_BIT, LONG_BIT, TEXT, VARIABLE_BIT
 from ev3proto.tables.frame import COUNTER_SIZE, LENGTH_FIELD, TYPE_MEANINGS
-from ev3proto.text.phrases import (
-    argument_value,
-    command_name,
-    plain,
-    short_text,
-    status_name,
-)
+from ev3proto.text.phrases import argument_value, command_name, plain, short_text, status_name
 
 _TYPE = LENGTH_FIELD + COUNTER_SIZE
 _SIZE_BITS = 3

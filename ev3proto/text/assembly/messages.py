@@ -15,14 +15,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.footprint import MEMORY_LIMITS, memory_of
 from ev3proto.tables.daisy import DaisySubCommand
 from ev3proto.tables.encoding import GLOBAL, LOCAL, STRING_CODING
-from ev3proto.tables.frame import (
-    COUNTERS,
-    DIRECT_COMMAND_TYPES,
-    MAX_FRAME,
-    MAX_GLOBALS,
-    MAX_LOCALS,
-    MessageType,
-)
+from ev3proto.tables.frame import COUNTERS, DIRECT_COMMAND_TYPES, MAX_FRAME, MAX_GLOBALS, MAX_LOCALS, MessageType
 from ev3proto.tables.system import SYSTEM, FieldKind, SystemDeclaration, SystemField, SystemStatus
 from ev3proto.text.assembly.errors import SourceError
 from ev3proto.text.assembly.names import LocalNames, choice

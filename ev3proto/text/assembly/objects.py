@@ -20,23 +20,13 @@ from ev3proto.tables.encoding import BITS, GLOBAL, LOCAL, RANGES
 from ev3proto.tables.program import MAX_MEMORY, MAX_OBJECTS, MAX_PARAMETERS
 from ev3proto.tables.source import (
     BASIC_NAMES,
-    OLD_WORDS,
     PARAMETER_WORDS,
     SIZED_PARAMETERS,
     SIZED_WORDS,
     VARIABLE_WORDS,
 )
 from ev3proto.text.assembly.errors import MOST_ERRORS, SourceError, cited
-from ev3proto.text.assembly.names import (
-    Callee,
-    LocalNames,
-    Meaning,
-    Memory,
-    Names,
-    Variable,
-    firmware_names,
-    is_object,
-)
+from ev3proto.text.assembly.names import Callee, LocalNames, Meaning, Memory, Names, Variable, firmware_names, is_object
 from ev3proto.text.assembly.notations import OF_BASIC, Notation, Rules
 from ev3proto.text.assembly.parsing import Parser
 from ev3proto.text.assembly.settings import OPEN, OWN, ImageSettings
@@ -289,7 +279,7 @@ class ProgramAssembler:
             kind = PARAMETER_WORDS[item.word][1]
         count = 1
         is_array = item.word in SIZED_WORDS or item.word in SIZED_PARAMETERS
-        if item.size is not None and (is_array or item.word in OLD_WORDS):
+        if item.size is not None:
             count = self._encoder.whole(item.size, f"the size of {cited(item.name)}", 0, (1 << 31) - 1)
         place = memory.place(item.at, item.name, kind, count, is_array)
         if is_array and place.start % place.width:
@@ -448,11 +438,11 @@ class ProgramAssembler:
         first, *others = [argument.value for argument in call.arguments]
         piece, callee = self._argument(first, self._parameters(call)[0])
         yield piece
-        declares = isinstance(callee, Callee) and callee.parameters is not None
-        if isinstance(callee, Callee) and callee.parameters is not None:
-            yield integer(len(callee.parameters), self._rules)
-            if len(others) != len(callee.parameters):
-                wanted = counted(len(callee.parameters), "argument")
+        declared = callee.parameters if isinstance(callee, Callee) else None
+        if declared is not None:
+            yield integer(len(declared), self._rules)
+            if len(others) != len(declared):
+                wanted = counted(len(declared), "argument")
                 shown = cited(first.text) if isinstance(first, Name) else "the subcall"
                 reason = f"{shown} takes {wanted}, not {len(others)}"
                 if not self._notation.last_counts:
@@ -466,8 +456,8 @@ class ProgramAssembler:
             piece, meaning = self._argument(value, None)
             yield piece
             meant.append(meaning)
-        if declares and isinstance(callee, Callee) and not self._notation.folds:
-            self.warnings += _of_call(call, meant, callee)
+        if declared is not None and not self._notation.folds:
+            self.warnings += _of_call(call, meant, declared)
 
     def _argument(self, value: Value, parameter: Parameter | None) -> tuple[Piece, Meaning | None]:
         """Returns the bytes or jump of an argument, and its meaning; None if that is not checked."""
@@ -485,12 +475,8 @@ class ProgramAssembler:
         owner = said.get("owner", owners.get(head.name, 1) if head.word == _BLOCK else 0)
         triggers = said.get("triggers", 0 if head.word == _THREAD else 1)
         size = said.get("locals", (of if one.alias_of else one).memory.size)
-        shares: int | None = None
+        shares = said.get("shares") if of is one else self._objects.index(of) + 1
         code = b""
-        if of is not one:
-            shares = self._objects.index(of) + 1
-        elif "shares" in said:
-            shares = said["shares"]
         if shares is not None and (of is one or (one.alias_of is None and shares >= number)):
             raise SourceError(head.at, f"{head.name} cannot share the code of object {shares}")
         parameters = tuple(one.parameters) if head.word == _SUBCALL else None
@@ -578,13 +564,11 @@ def _of_operation(call: Call, name: str, values: Meant) -> Warnings:
         yield from _of_parameters(call, schema, arguments, values)
 
 
-def _of_call(call: Call, values: Meant, callee: Callee) -> Warnings:
+def _of_call(call: Call, values: Meant, declared: Sequence[tuple[Direction, Type]]) -> Warnings:
     """Yields warnings about the arguments of a CALL."""
-    arguments = [argument.value for argument in call.arguments[1:]]
-    for number, ((direction, kind), argument, value) in enumerate(
-        zip(callee.parameters or (), arguments, values, strict=False), 1
-    ):
-        yield from _of_one("CALL", Parameter(f"parameter {number}", kind, "", direction), argument, value)
+    parameters = [Parameter(f"parameter {number}", kind, "", way) for number, (way, kind) in enumerate(declared, 1)]
+    for parameter, argument, value in zip(parameters, call.arguments[1:], values, strict=False):
+        yield from _of_one("CALL", parameter, argument.value, value)
 
 
 def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Value], values: Meant) -> Warnings:
@@ -600,21 +584,17 @@ def _of_parameters(call: Call, schema: OperationSchema, arguments: Sequence[Valu
 
 
 def _of_one(operation: str, parameter: Parameter, argument: Value, value: Meaning | None) -> Warnings:
-    reason = (
-        _wrong_place(parameter, value)
-        if isinstance(value, Variable)
-        else _wrong_constant(parameter, value)
-        if isinstance(value, int | float | str)
-        else None
-    )
+    reason = _wrong_place(parameter, value) if isinstance(value, Variable) else _wrong_constant(parameter, value)
     if reason is not None:
         shown = f": {cited(argument.text)}" if isinstance(argument, Name) else ""
         yield argument.at, f"{parameter.name} of {operation} {reason}{shown}"
 
 
-def _wrong_constant(parameter: Parameter, value: int | float | str) -> str | None:
+def _wrong_constant(parameter: Parameter, value: Meaning | None) -> str | None:
     """Returns what lmsasm has against a constant: its type, not its meaning, which `semantics.judgement` judges."""
     kind = parameter.type
+    if not isinstance(value, int | float | str):
+        return None
     if parameter.direction is Direction.OUT:
         return "is an output, and what is written into a constant is lost"
     if isinstance(value, float):

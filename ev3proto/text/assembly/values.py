@@ -16,14 +16,7 @@ from itertools import accumulate
 from typing import Any, NamedTuple, TypeVar
 
 from ev3proto.errors import BuildError, counted, near_misses
-from ev3proto.schema.argument import (
-    ArgumentSchema,
-    encode_as,
-    encode_float,
-    encode_integer,
-    encode_label,
-    with_bits,
-)
+from ev3proto.schema.argument import ArgumentSchema, encode_as, encode_float, encode_integer, encode_label, with_bits
 from ev3proto.semantics.drafts.placeholders import FORM_OF_SIZE, settle
 from ev3proto.tables.declaration import DATA8, Direction, Parameter, Role, Type
 from ev3proto.tables.encoding import GLOBAL, LOCAL, RANGES
@@ -328,7 +321,9 @@ class Encoder:
 
     def _both(self, value: Sum, parts: Sequence[int | float]) -> int | float:
         """Returns the value of an expression of a program, and warns if the dialects differ."""
-        from_the_left = int(_worked_out([int(part) for part in parts], value.operators, _LEFT, _wrapped_at))
+        from_the_left = int(
+            _worked_out([int(part) for part in parts], value.operators, _LEFT, lambda _, number: wrapped(number))
+        )
         is_exact = self.names.notation.last_counts
         try:
             exact = _worked_out([Fraction(part) for part in parts], value.operators, _USUAL, _exact)
@@ -549,10 +544,6 @@ def _bounded(at: int, number: int | float) -> int | float:
     if isinstance(number, int) and abs(number) >= _LARGEST:
         raise SourceError(at, "the numbers become larger than anything in a frame")
     return number
-
-
-def _wrapped_at(_: int, number: int) -> int:
-    return wrapped(number)
 
 
 def _exact(_: int, value: Fraction) -> Fraction:

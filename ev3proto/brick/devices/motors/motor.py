@@ -4,14 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ev3proto.brick.devices.motors.characteristics import (
-    LARGE,
-    LARGE_TYPE,
-    MEDIUM,
-    MEDIUM_TYPE,
-    MOST_POWER,
-    Duty,
-)
+from ev3proto.brick.devices.motors.characteristics import LARGE, LARGE_TYPE, MEDIUM, MEDIUM_TYPE, MOST_POWER, Duty
 from ev3proto.brick.devices.motors.rotor import DEGREE, Rotor
 from ev3proto.brick.devices.motors.tachometer import Tachometer
 from ev3proto.tables.enumerations import TYPE

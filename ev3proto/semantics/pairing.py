@@ -238,7 +238,8 @@ class Pairing(Generic[T]):
 
     def _in_time(self, fitting: list[int], time_ns: int | None) -> int | None:
         """Returns the oldest of some commands that was not sent too long ago; None if all were."""
-        patience_ns = self._patience_ns
+        longest_ns = self._longest_ns
+        patience_ns = FIRST_PATIENCE_NS if longest_ns < 0 else max(PATIENCE * longest_ns, LEAST_PATIENCE_NS)
         return next((number for number in fitting if self._age_ns(number, time_ns) <= patience_ns), None)
 
     def _labelled(self, fitting: list[int], label: str) -> list[int]:
@@ -262,11 +263,6 @@ class Pairing(Generic[T]):
         """Forgets the command with a number, if it is still pending."""
         if number in self._waiting:
             self._forget(number)
-
-    @property
-    def _patience_ns(self) -> int:
-        """Nanoseconds after which a command is given up."""
-        return FIRST_PATIENCE_NS if self._longest_ns < 0 else max(PATIENCE * self._longest_ns, LEAST_PATIENCE_NS)
 
     def _age_ns(self, number: int, now_ns: int | None) -> int:
         """Returns for how many nanoseconds a command has waited; -1 if times are unknown."""

@@ -47,7 +47,11 @@ def _reports(name: str, value: Callable[[Machine, int], int], *allowed: int) -> 
         _must_be(hardware, *allowed)
 
 
-_reports("GET_ON_OFF", lambda vm, hardware: bool(_radio(vm, hardware)), *_RADIOS)
+_reports(
+    "GET_ON_OFF",
+    lambda vm, hardware: {BLUETOOTH: vm.brick.settings.bluetooth, WIFI: vm.brick.settings.wifi}.get(hardware, False),
+    *_RADIOS,
+)
 _reports("GET_MODE2", lambda vm, hardware: hardware == BLUETOOTH and vm.brick.settings.mode2, BLUETOOTH)
 # Nothing is in progress, found, paired, connected or encrypted.
 _reports("GET_RESULT", lambda *_: OK, *_RADIOS)
@@ -57,11 +61,6 @@ _reports("CONNEC_ITEMS", lambda *_: 0, USB, *_RADIOS)
 _reports("GET_ENCRYPT", lambda *_: 0, WIFI)
 
 computes({"COM_GET.GET_PRESENT": lambda _, hardware: hardware in (USB, BLUETOOTH)})
-
-
-def _radio(vm: Machine, hardware: int) -> bool | None:
-    """Returns whether a radio is on; None for other hardware."""
-    return {BLUETOOTH: vm.brick.settings.bluetooth, WIFI: vm.brick.settings.wifi}.get(hardware)
 
 
 @handles("COM_GET.GET_VISIBLE", computes=True)

@@ -119,7 +119,7 @@ class Block:
         """Returns whether a line without elements belongs to the block."""
         self.empty += 1
         is_open = self.rows[-1].is_open
-        is_empty = not row.after.strip() and (self.empty <= _MOST_EMPTY or is_open)
+        is_empty = not row.after.strip() and self.empty <= _MOST_EMPTY
         return self.in_comment or is_empty or (is_open and row.line.lstrip()[:1] in ("#", "*", ";"))
 
     def _uncommented(self, text: str) -> str:
@@ -436,8 +436,8 @@ def _together(rows: list[Row], places: list[int]) -> tuple[Reading | None, Near 
 
 
 def _are_one(rows: list[Row]) -> bool:
-    """Returns whether rows are a dump, a list, or all as long."""
-    return rows[0].is_offset or rows[0].is_open or len({len(row.elements) for row in rows[:-1]}) == 1
+    """Returns whether rows are a dump, or all as long."""
+    return rows[0].is_offset or len({len(row.elements) for row in rows[:-1]}) == 1
 
 
 def _is_each(rows: list[Row]) -> bool:
@@ -522,7 +522,7 @@ def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
     """Returns the bytes in a row below a frame that is complete without them, but is written like them."""
     ended, first = rows[-1], reading.run.elements[reading.parts[0][0].first]
     place = next((at for at, one in enumerate(ended.elements) if one.start >= first.start), 0)
-    if len(row.elements) <= place or row.front(place) != ended.front(place):
+    if row.front(place) != ended.front(place):
         return None
     is_dump = not row.after.strip(AROUND)
     return (

@@ -102,16 +102,11 @@ def test_unusual_operations_are_shown_and_come_back(operations: str, shown: str)
 
 def commands(count: int) -> bytes:
     """A capture of commands whose replies never come, on 256 connections."""
-    found = [struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 101)]
+    found = Capture(RAW_IP)
     for number in range(count):
-        port, turn = 1024 + number % 256, number // 256
-        body = struct.pack("<HBH", turn, 0, 0) + b"\x01" * 90
-        frame = struct.pack("<H", len(body)) + body
-        tcp = struct.pack(">HHIIBBHHH", port, 5555, 1 + turn * len(frame), 1, 0x50, 0x18, 8192, 0, 0) + frame
-        address = bytes((192, 0, 2, 1)), bytes((192, 0, 2, 10))
-        packet = struct.pack(">BBHHHBBH4s4s", 0x45, 0, 20 + len(tcp), 1, 0, 64, 6, 0, *address) + tcp
-        found.append(struct.pack("<IIII", number // 1000, 0, len(packet), len(packet)) + packet)
-    return b"".join(found)
+        turn, frame = number // 256, frame_of(b"\x01" * 90, number // 256, 0, b"\0\0")
+        found.add(segment(True, 1 + turn * len(frame), frame, port=1024 + number % 256, acknowledged=1))
+    return found.data()
 
 
 def test_commands_without_replies_share_a_budget() -> None:

@@ -30,6 +30,11 @@ class Packet(NamedTuple):
     interface: Interface
     flags: int | None = None  # the flags beside a packet in btsnoop files; None in other files
 
+    @property
+    def missing(self) -> int:
+        """The number of its bytes that were not captured."""
+        return self.size - len(self.data)
+
 
 MOST_PACKET = 1 << 24
 """Maximum size of a packet in bytes; a larger length field is damaged."""

@@ -320,12 +320,9 @@ class Statistics:
         self._further += len(counted) == 1
         for each in counted:
             each.message(record)
-        if message.type is not None and message.type.is_command and record.request is None:
-            self._command(record, counted)
-        elif message.type is not None:
-            carried = _carried(message if record.request is None else record.request.message)
-            for each in counted:
-                each.reply(record, carried, is_error(message))
+        if message.type is not None:
+            is_command = message.type.is_command and record.request is None
+            (self._command if is_command else self._reply)(record, counted)
         if record.transfer is not None:
             self._move(record, record.transfer)
 
@@ -337,6 +334,11 @@ class Statistics:
             self._waiting.append(record)
         while self._waiting and (self._waiting[0].answered is not None or len(self._waiting) > MOST_PENDING):
             self._settle_oldest()
+
+    def _reply(self, record: Record, counted: tuple[_Peer, ...]) -> None:
+        carried = _carried(record.message if record.request is None else record.request.message)
+        for each in counted:
+            each.reply(record, carried, is_error(record.message))
 
     def _counted(self, record: Record) -> tuple[_Peer, ...]:
         """Returns the counts to which a message is added: the total, and its connection's up to the limit."""

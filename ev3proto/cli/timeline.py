@@ -55,11 +55,11 @@ def timeline(files: tuple[str, ...], reading: Options, output: Path, first: floa
     # The timeline filters by itself: a reply that is kept back must not look as if it never came.
     captures, problems = captures_of(files, replace(reading, filter=None)), Problems()
     events, is_timed = _begun(problems.captured(captures.events()))
-    if not is_timed and (first is not None or last is not None):
+    limits = _limits(first, last, is_timed=is_timed)
+    if limits and not is_timed:
         complain(f"{captures.label}: has no times: --from and --to count its lines")
     drawn = collect(events, reading.filter, Window(first, last))
     if drawn is None:
-        limits = _limits(first, last, is_timed=is_timed)
         if limits or problems.errors:
             problems.end_without(f"{captures.label}: no frame found{limits}{captures.passed_over}")
         for part in captures.parts:

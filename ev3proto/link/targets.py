@@ -29,6 +29,9 @@ class Way(StrEnum):
     VIRTUAL = "virtual"
 
 
+_EXAMPLES = {Way.BLUETOOTH: "bluetooth:00:16:53:42:2B:99", Way.SERIAL: "serial:/dev/rfcomm0"}
+"""Targets of the ways on which the brick has to be named."""
+
 _CARRIERS = {Way.USB: Carrier.USB, Way.BLUETOOTH: Carrier.BLUETOOTH, Way.SERIAL: Carrier.BLUETOOTH}
 
 
@@ -63,21 +66,18 @@ class Target:
     def parse(cls, text: str) -> Target:
         """Reads a target as on the command line, such as `wifi:HOST:PORT` or `usb:SERIAL`. Raises ValueError."""
         name, _, rest = text.partition(":")
-        try:
-            way = Way(name.lower())
-        except ValueError:
+        if name.lower() not in set(Way):
             hint = near_misses(name, [each.upper() for each in Way]).lower() or (
                 "; expected wifi, wifi:ADDRESS, wifi:ADDRESS:PORT, usb, usb:SERIALNUMBER, bluetooth:MAC, serial:PORT or"
                 " virtual"
             )
-            raise ValueError(f"unknown target {text!r}{hint}") from None
+            raise ValueError(f"unknown target {text!r}{hint}")
+        way = Way(name.lower())
         if way is Way.WIFI:
             return cls(way, *_address(rest, text))
-        if way in (Way.BLUETOOTH, Way.SERIAL) and not rest:
-            example = "bluetooth:00:16:53:42:2B:99" if way is Way.BLUETOOTH else "serial:/dev/rfcomm0"
-            raise ValueError(f"{text!r} does not name a brick; expected its address, such as {example}")
-        target = cls(way, rest or None)
-        return cls(Way.SERIAL, rest) if way is Way.BLUETOOTH and is_port_name(rest) else target
+        if way in _EXAMPLES and not rest:
+            raise ValueError(f"{text!r} does not name a brick; expected its address, such as {_EXAMPLES[way]}")
+        return cls(Way.SERIAL if way is Way.BLUETOOTH and is_port_name(rest) else way, rest or None)
 
 
 def is_port_name(host: str) -> bool:

@@ -48,11 +48,10 @@ class OpenTransfers(dict[int, str]):
 
         Without a reply it may have been the last piece, after which the handle is another client's.
         """
-        step = step_of(command)
-        if step is None or not isinstance(command, SystemCommand):
+        if not isinstance(command, SystemCommand):
             return
         answer = reply if isinstance(reply, SystemReply) and reply.number == command.number else None
-        begun = answer if step == "begin" else None
+        begun = answer if step_of(command) == "begin" else None
         handle = handle_of(begun or command)
         if handle is None:
             return

@@ -256,30 +256,32 @@ def _address(data: bytes) -> str:
     return data[::-1].hex(":")
 
 
+def _header(data: bytes) -> tuple[int, int, bytes] | None:
+    """Returns where the contents of an RFCOMM frame begin, their length, and the bytes that its checksum covers."""
+    if len(data) < 4 or not data[0] & 1 or data[1] & ~RFCOMM_POLL not in _FRAME_TYPES:
+        return None
+    is_data, head = data[1] & ~RFCOMM_POLL == RFCOMM_DATA, 3 if data[2] & 1 else 4
+    has_credits = is_data and data[1] & RFCOMM_POLL and data[0] >> 2
+    length = int.from_bytes(data[2:head], "little") >> 1
+    return head + bool(has_credits), length, data[: 2 if is_data else head]
+
+
 def _serial(connection: _Connection, is_from_host: bool | None, part: _Part) -> Serial | None:
     _, channel = L2CAP.unpack_from(part.data)
     data = part.data[L2CAP.size : part.size]
+    header = _header(data) if channel >= _LEAST_DYNAMIC else None
+    if header is None:
+        return None
+    start, length, checked = header
     way = is_from_host, channel
     is_known_cut = len(part.data) < part.size and way in connection.channels
-    if channel < _LEAST_DYNAMIC or len(data) < 4 or not data[0] & 1:
-        return None
-    address, control = data[0], data[1]
-    kind = control & ~RFCOMM_POLL
-    if kind not in _FRAME_TYPES:
-        return None
-    head = 3 if data[2] & 1 else 4
-    length = data[2] >> 1 if head == 3 else data[2] >> 1 | data[3] << 7
-    number = address >> 2
-    has_credits = kind == RFCOMM_DATA and bool(control & RFCOMM_POLL) and number != 0
-    start = head + has_credits
-    checked = data[:2] if kind == RFCOMM_DATA else data[:head]
     if not is_known_cut and (len(data) != start + length + 1 or data[-1] != frame_check(checked)):
         return None
     if len(connection.channels) < MOST_CHANNELS:
         connection.channels.add(way)
     if is_from_host is None:
         # In data frames this bit is set by the side that opened the connection, which is never a brick.
-        is_from_host = bool(address & 2)
+        is_from_host = bool(data[0] & 2)
+    number, kind = data[0] >> 2, data[1] & ~RFCOMM_POLL
     carried = data[start : start + length] if kind == RFCOMM_DATA and number else b""
-    missing = length - len(carried) if carried else 0
-    return Serial(number >> 1, is_from_host, carried, missing, kind in (OPEN, CLOSED))
+    return Serial(number >> 1, is_from_host, carried, length - len(carried) if carried else 0, kind in (OPEN, CLOSED))

@@ -47,23 +47,29 @@ class Reports:
     def feed(self, packet: Packet) -> Iterable[Event]:
         """Returns the events that a packet completes."""
         found = urb(packet)
-        if found is not None and found.product is not None:
-            self._claims.add(found.device, self._claim(is_sure=found.product in USB_PRODUCTS))
-        if found is not None and found.transfer == INTERRUPT and len(found.data) >= HEADER_SIZE:
-            claim = self._claims.use(found.device, self._claim)[0]
-            is_big = len(found.data) + packet.size - len(packet.data) == MAX_FRAME
-            is_sure = claim.state is State.SURE or (is_big and self._context.is_all)
-            earlier = [] if is_sure else self._earlier(claim, packet, found)
-            if earlier is not None:
-                return [*earlier, self._event(claim, packet, found)]
-            if is_big:
-                self._account.count_strange(_STRANGE)
-        self._account.other += len(packet.data)
-        return ()
+        events = [] if found is None else self._events(packet, found)
+        if not events:
+            self._account.other += len(packet.data)
+        return events
 
     def end(self) -> Iterable[Event]:
         """Returns nothing: reports are never pending."""
         return ()
+
+    def _events(self, packet: Packet, found: Urb) -> list[Event]:
+        if found.product is not None:
+            self._claims.add(found.device, self._claim(is_sure=found.product in USB_PRODUCTS))
+        if found.transfer != INTERRUPT or len(found.data) < HEADER_SIZE:
+            return []
+        claim = self._claims.use(found.device, self._claim)[0]
+        is_big = len(found.data) + packet.missing == MAX_FRAME
+        is_sure = claim.state is State.SURE or (is_big and self._context.is_all)
+        earlier = [] if is_sure else self._earlier(claim, packet, found, is_big=is_big)
+        if earlier is not None:
+            return [*earlier, self._event(claim, packet, found)]
+        if is_big:
+            self._account.count_strange(_STRANGE)
+        return []
 
     def _route(self, device: str, is_from_host: bool, packet: Packet) -> Route:
         key = device, is_from_host, packet.interface.name
@@ -76,12 +82,10 @@ class Reports:
     def _claim(self, *, is_sure: bool = False) -> Claim:
         return Claim(self._context.schema, lambda member: member.is_command, is_sure=is_sure)
 
-    def _earlier(self, claim: Claim, packet: Packet, found: Urb) -> list[Event] | None:
+    def _earlier(self, claim: Claim, packet: Packet, found: Urb, *, is_big: bool) -> list[Event] | None:
         """Returns the events of the earlier commands that a report proves, if the report is claimed; else None."""
         # Reports of other devices may begin like a frame, so the report's size must be that of the frame's type.
-        frame = found.frame
-        reported = len(found.data) + packet.size - len(packet.data)
-        is_big = reported == MAX_FRAME
+        frame, reported = found.frame, len(found.data) + packet.missing
         fits = reported in REPORT_SIZES and is_frame_size(frame_size(frame)) and frame_size(frame) <= reported
         member = MESSAGE_TYPES.get(frame[HEADER_SIZE - 1]) if fits else None
         if member is not None and (member.carries == "daisy" if not is_big else _is_overwritten(found)):
@@ -90,14 +94,15 @@ class Reports:
         if member is None or not is_big or member.is_command != found.is_from_host:
             claim.count((), len(found.data))
             return None
-        if claim.is_claimed:
-            return []
+        return [] if claim.is_claimed else self._proved(claim, packet, found)
 
+    def _proved(self, claim: Claim, packet: Packet, found: Urb) -> list[Event] | None:
         def adopt() -> list[Event]:
             self._account.other -= len(packet.data)
             self._account.count_strange(_STRANGE, -1)
             return [self._event(claim, packet, found)]
 
+        frame = found.frame
         missing = missing_of(frame)
         _, _, earlier = claim.judge(
             found.is_from_host, frame, lambda _: adopt, missing=missing, needs_reply=missing > 0
@@ -125,7 +130,7 @@ class Reports:
             record.note = OVERWRITTEN
             return record
         record = conversation.record(frame, (packet.number,), packet.time_ns, route)
-        if len(packet.data) < packet.size:
+        if packet.missing:
             record.missing = missing_of(frame)
         claim.count((record,))
         return record

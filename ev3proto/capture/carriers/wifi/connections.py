@@ -209,7 +209,7 @@ class Connections:
             half.interface = packet.interface
             half.stream.route = self._route(packet, ends, half.is_from_host)
         if data:
-            missing = _missing(packet) if len(packet.data) < packet.size else 0
+            missing = _missing(packet) if packet.missing else 0
             events += self._taken(half, sequence, Piece(data, packet.number, packet.time_ns, missing), packet)
         if flags & ACK and half.back is not None:
             events += self._acknowledge(half.back, acknowledged)
@@ -332,7 +332,7 @@ class Connections:
 
     def _datagram(self, packet: Packet, ends: Ends, data: bytes) -> Iterable[Event]:
         is_for_beacons = _BEACON_PORT in (source_port(ends), target_port(ends))
-        is_announced = is_for_beacons and is_beacon(data, is_cut=len(packet.data) < packet.size)
+        is_announced = is_for_beacons and is_beacon(data, is_cut=packet.missing > 0)
         if not data or not (is_announced or target_of(ends) in self._answered):
             self._account.other += len(packet.data)
             return

@@ -22,10 +22,6 @@ _RECORD_SIZE = 700
 """Approximate memory of a pending record besides its frame, in bytes."""
 
 
-def _size_of(record: Record) -> int:
-    return _RECORD_SIZE + len(record.frame)
-
-
 def _is_failure(record: Record) -> bool:
     """Returns whether a reply reports a failure; uploads end with END_OF_FILE. Only system replies are parsed."""
     member = MESSAGE_TYPES[record.frame[HEADER_SIZE - 1]]
@@ -53,7 +49,9 @@ class Conversation:
         self.is_locked = False
         self._numbers = count(1) if numbers is None else numbers
         self._schema = schema
-        self._pairing: Pairing[Record] = Pairing(MOST_PENDING, budget, _size_of, is_ordered=is_ordered)
+        self._pairing: Pairing[Record] = Pairing(
+            MOST_PENDING, budget, lambda record: _RECORD_SIZE + len(record.frame), is_ordered=is_ordered
+        )
         self._budget = budget
         self._transfers: dict[int, Transfers] = {}  # by the number of the connection
 

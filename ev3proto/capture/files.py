@@ -37,6 +37,7 @@ from ev3proto.semantics.transfers import (
 )
 from ev3proto.tables.system import FieldKind, SystemDeclaration
 from ev3proto.temporary import PREFIX, temporary_folder
+from ev3proto.text.phrases import status_name
 
 MOST_FILES = 10_000
 """Maximum number of files from a capture."""
@@ -294,7 +295,7 @@ class _Files:
         if isinstance(message, SystemReply):
             if is_error(message):
                 # Closing a file twice does no harm.
-                moving.failure = moving.failure if entry.transfer == "close" else _status(message)
+                moving.failure = moving.failure if entry.transfer == "close" else status_name(message)
                 return
             if moving.direction == FROM_BRICK:
                 # A retry.
@@ -333,7 +334,8 @@ class _Files:
         self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
     ) -> _Moving | None:
         """Returns the firmware image in transfer to the flash memory, which has no path and no handle."""
-        begins = _begins_image(entry)
+        # The command that requests a checksum has the same field, but also a reply.
+        begins = not entry.reply and any(field.name == "image_size" for field in entry.request)
         is_command = isinstance(message, SystemCommand)
         if not begins and not any(field.kind is FieldKind.DATA for field in entry.request):
             return None
@@ -384,15 +386,6 @@ class _Files:
         moving = _Moving(number, path, parts, command, direction, peer, record.number, record.number)
         self.all.append(moving)
         return moving
-
-
-def _status(reply: SystemReply) -> str:
-    return reply.status.name if reply.status is not None else f"status {reply.status_code}"
-
-
-def _begins_image(entry: SystemDeclaration) -> bool:
-    # The command that requests a checksum has the same field, but also a reply.
-    return not entry.reply and any(field.name == "image_size" for field in entry.request)
 
 
 class _Pieces:

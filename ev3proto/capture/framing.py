@@ -348,9 +348,6 @@ class Cutter:
             last = index + 1 == len(self._marks)
             yield start, number, len(self._buffer) if last else self._marks[index + 1][0]
 
-    def _is_newest_packet(self, at: int, end: int) -> bool:
-        return at == self._marks[-1][0] and end == len(self._buffer)
-
     def _ends_with_frame(self) -> bool:
         """Returns whether the newest packet is exactly one valid frame: the stream continues there."""
         buffer, start = self._buffer.pending, self._marks[-1][0]
@@ -401,7 +398,8 @@ class Cutter:
         if end > len(buffer):
             return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
         follows, is_frame = finder.follow(buffer, end), finder.is_frame(buffer, at, end)
-        if is_frame and (follows or finder.is_self_evident(buffer, at) or self._is_newest_packet(at, end)):
+        is_packet = at == self._marks[-1][0] and end == len(buffer)
+        if is_frame and (follows or is_packet or finder.is_self_evident(buffer, at)):
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end
@@ -417,7 +415,8 @@ class Cutter:
             return PartKind.LOST, end
         # A header after a valid frame confirms it, two do after another.
         is_open = place < end and found is Found.OPEN and follows <= (not is_frame)
-        waits = is_open or (not follows and not is_frame and self._is_split(at, end))
+        is_split = any(at < start < end for start, _ in self._marks)
+        waits = is_open or (not follows and not is_frame and is_split)
         return PartKind.FRAME, len(buffer) + 1 if waits and not is_last else end
 
     def _after_gap(self, at: int, end: int, is_frame: bool) -> int:
@@ -425,9 +424,6 @@ class Cutter:
         if self._trials or not is_frame:
             return at + 1
         return next((start for start, _ in self._marks if start > at), end)
-
-    def _is_split(self, at: int, end: int) -> bool:
-        return any(at < start < end for start, _ in self._marks)
 
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
         if not is_last and self._finder.may_become(buffer, at):

@@ -94,7 +94,9 @@ class Shelf:
         while True:
             name = numbered(parts[-1], number) + suffix
             path = folder / name
-            if (folder, _key(name)) not in self._taken and (self._is_free(path) or (_is_file(path) and is_same(path))):
+            is_taken = (folder, _key(name)) in self._taken
+            # Not a link to a file.
+            if not is_taken and (self._is_free(path) or (stat.S_ISREG(path.lstat().st_mode) and is_same(path))):
                 break
             number += 1
         self._numbers[folder, _key(parts[-1] + suffix)] = number + 1
@@ -130,10 +132,6 @@ class Shelf:
         except FileNotFoundError:
             return True
         return self._force and not stat.S_ISDIR(mode)
-
-
-def _is_file(path: Path) -> bool:
-    return stat.S_ISREG(path.lstat().st_mode)
 
 
 def _key(name: str) -> str:

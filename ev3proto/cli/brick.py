@@ -189,7 +189,7 @@ async def _serve(options: Options, root: Path) -> Reporter | None:
         async with running(options, root, complain) as now:
             with interrupted() as ended:
                 if now.port:
-                    say(f"listening on {_shown(now.address)}:{now.port}")
+                    say(f"listening on {f'[{now.address}]' if ':' in now.address else now.address}:{now.port}")
                 if options.serial is not None:
                     say(f"serial port at {options.serial}")
                 if now.link:
@@ -238,7 +238,3 @@ def _show_coverage(dialect: str) -> None:
     for name in missing:
         say(name)
     complain(f"{len(names) - len(missing)} of {len(names)} operations are implemented")
-
-
-def _shown(address: str) -> str:
-    return f"[{address}]" if ":" in address else address

@@ -32,10 +32,10 @@ from ev3proto.cli.options import exclusive, gathered, incompatible, json_option
 from ev3proto.cli.output import Printer, complain, say_json
 from ev3proto.cli.reading import Other, Problems, made_of, named, parts_of, reading_options
 from ev3proto.errors import counted, near_misses
-from ev3proto.reading.items import Image, Problem, Source, SourceKind
+from ev3proto.reading.items import Image, Source, SourceKind
 from ev3proto.reading.kinds import introduction
 from ev3proto.reading.options import Options
-from ev3proto.reading.parts import Part, Reading
+from ev3proto.reading.parts import Reading
 from ev3proto.reading.texts import looks_like_assembly
 from ev3proto.tables.carriers import CARRIERS
 from ev3proto.text.fixed_text import fix_pieces, unix_lines
@@ -114,7 +114,9 @@ class Checking:
     def run(self) -> None:
         """Checks everything, and shows the numbers of frames and findings."""
         tally, problems = self.tally, self._problems
-        for part in parts_of(self._reading, problems, lambda: tally.seen, _nothing):
+        # Texts without commands are told of together, as replies among them are passed over.
+        parts = parts_of(self._reading, problems, lambda: tally.seen, lambda it: None if it.is_text else it.nothing())
+        for part in parts:
             for event in problems.beside(part):
                 self._check(event)
         self._take_first(is_alone=True)
@@ -261,11 +263,6 @@ class Checking:
         if not report.accepted or "error" in severities or (self._options.strict and "warning" in severities):
             self._problems.errors += 1
         return not self._options.leaves_out(report, is_alone=self._is_single and not place.is_among)
-
-
-def _nothing(part: Part) -> Problem | None:
-    """Returns that a capture has no command; texts are told of together, as replies among them are passed over."""
-    return None if part.is_text else part.nothing()
 
 
 _OF_SOURCES = {

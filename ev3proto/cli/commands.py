@@ -176,14 +176,11 @@ def _printing_help() -> Iterator[None]:
             raise OutputError(None, "standard output is closed") from None
         raise
     except OSError as error:
-        if isinstance(error, BrokenPipeError) or _is_of_click(error):
+        # Whether it comes from printing by click, not from reading.
+        is_of_click = any(frame.f_code is click.echo.__code__ for frame, _ in walk_tb(error.__traceback__))
+        if isinstance(error, BrokenPipeError) or is_of_click:
             raise OutputError.of(error) from None
         raise
-
-
-def _is_of_click(error: OSError) -> bool:
-    """Whether an error comes from printing by click, not from reading."""
-    return any(frame.f_code is click.echo.__code__ for frame, _ in walk_tb(error.__traceback__))
 
 
 def _forget_unwritten() -> None:

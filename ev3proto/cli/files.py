@@ -6,7 +6,6 @@ import sys
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -55,7 +54,7 @@ def files(
         for recovered in _recovered(part, folder, problems, force=force, listings=listings):
             is_empty = False
             if as_json:
-                say_json(_record(recovered))
+                say_json(asdict(recovered) | {"file": None if recovered.file is None else str(recovered.file)})
             elif folder is None:
                 rows.append(_row(recovered))
             elif recovered.file is not None:
@@ -99,7 +98,3 @@ def _list(rows: list[tuple[str, ...]], places: str) -> None:
     bricks = {row[_COLUMNS.index("brick")] for row in rows}
     titles = [places if name == "packets" else name for name in _COLUMNS]
     Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(titles, rows)
-
-
-def _record(file: RecoveredFile) -> dict[str, Any]:
-    return {**asdict(file), "file": None if file.file is None else str(file.file)}

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from ev3proto.capture.plot import draw
-from ev3proto.capture.series import MOST_CELLS, Cell, Row, Series, series_of
+from ev3proto.capture.series import MOST_CELLS, Cell, Series, series_of
 from ev3proto.capture.timeline import MissingLibraryError
 from ev3proto.cli.options import FILE, exclusive
 from ev3proto.cli.output import Failure, complain, csv_line, put, say, say_json
@@ -116,7 +116,7 @@ def _print_table(found: Series, unit: str, start_ns: int) -> None:
     for row in found.rows:
         cells = [
             *([row.file or ""] if leading else []),
-            _seconds(row, start_ns),
+            f"{(row.time_ns - start_ns) / 1e9:.6f}" if row.is_timed else "",
             str(row.packet),
             *(_text(row.cells.get(name)) for name in found.units),
         ]
@@ -131,10 +131,6 @@ def _print_table(found: Series, unit: str, start_ns: int) -> None:
 
 def _is_of_several(found: Series) -> bool:
     return len({row.file for row in found.rows}) > 1
-
-
-def _seconds(row: Row, start_ns: int) -> str:
-    return f"{(row.time_ns - start_ns) / 1e9:.6f}" if row.is_timed else ""
 
 
 def _print_csv(found: Series) -> None:

@@ -58,7 +58,7 @@ def download(data: bytes, path: str, progress: Progress = nothing_moved) -> Task
     The old file stays until the new one is complete, under another name. The firmware cannot rename: FILE.MOVE deletes
     the old file, and copies the new one. An error names the temporary file if it is left.
     """
-    part, is_moving = _beside(path), False
+    part, is_moving = posixpath.join(posixpath.dirname(path), f"~{secrets.token_hex(4)}.tmp"), False
     try:
         yield from _written(data, part, path, progress)
         listing = yield from _listing_of(path)
@@ -97,11 +97,6 @@ def _tell(error: BaseException, sentence: str) -> None:
         error.args = (f"{error}; {sentence}",)
     else:
         error.add_note(sentence)
-
-
-def _beside(path: str) -> str:
-    """Returns a name in the same folder that no file has."""
-    return posixpath.join(posixpath.dirname(path), f"~{secrets.token_hex(4)}.tmp")
 
 
 def _written(data: bytes, part: str, path: str, progress: Progress) -> Task[None]:

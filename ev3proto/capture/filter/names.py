@@ -100,10 +100,6 @@ def _address(which: str, text: str, example: str) -> Name:
     return _known(_BARE_TEXT, read, text, example)
 
 
-def _failed(record: Record) -> bool:
-    return is_error(record.message) or (record.answered is not None and record.answered.failed)
-
-
 def _unanswered(record: Record) -> bool:
     # A bootloader's reply may have its command's type, and does not wait for a reply itself.
     return record.message.wants_reply and record.answered is None and record.request is None
@@ -203,7 +199,12 @@ NAMES = {
         "a reply that reports a failed command, or a frame with a fault",
         "error",
     ),
-    "failed": _flag(_failed, "a command that failed, and its reply", "failed && op", True),
+    "failed": _flag(
+        lambda record: is_error(record.message) or (record.answered is not None and record.answered.failed),
+        "a command that failed, and its reply",
+        "failed && op",
+        True,
+    ),
     "late": _flag(_late, f"a reply that came more than {LATE_MS} ms after its command, and that command", "late", True),
     "unanswered": _flag(
         _unanswered, "a command that wants a reply and got none before the capture ended", "unanswered", True

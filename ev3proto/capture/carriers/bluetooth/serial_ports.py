@@ -80,7 +80,9 @@ class SerialPorts:
         claim = self._claims.get(found.key)
         if claim is None:
             place, is_sure = f"on RFCOMM channel {RFCOMM_CHANNEL}", self._context.is_all
-            claim = StreamClaim(self._context, _is_command, _is_from_brick, is_sure=is_sure, place=place)
+            claim = StreamClaim(
+                self._context, lambda member: member.is_command, _is_from_brick, is_sure=is_sure, place=place
+            )
             self._claims[found.key] = claim
         stream = self._stream(packet, found)
         yield from claim.feed(stream, Piece(serial.data, packet.number, packet.time_ns, serial.missing))
@@ -107,10 +109,6 @@ class SerialPorts:
 
     def _give_up(self, claim: StreamClaim, stream: Stream) -> None:
         self._context.late += claim.give_up(stream)
-
-
-def _is_command(member: MessageType) -> bool:
-    return member.is_command
 
 
 def _side(found: Carried) -> Direction:

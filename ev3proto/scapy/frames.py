@@ -19,7 +19,7 @@ from scapy.layers.inet import TCP, UDP
 from scapy.packet import NoPayload, Packet, Padding, Raw, bind_bottom_up, bind_layers, bind_top_down
 
 from ev3proto.errors import BuildError, DecodeError
-from ev3proto.scapy.operations import EV3Operation, OperationsField, in_a_row, memory_of
+from ev3proto.scapy.operations import EV3Operation, OperationsField, command_of, in_a_row
 from ev3proto.scapy.system import SYSTEM_BODIES, EV3SystemCommand, EV3SystemReply
 from ev3proto.schema.discovery import Unlock
 from ev3proto.schema.frame_buffer import FrameBuffer, OutOfStep
@@ -177,12 +177,12 @@ class EV3DirectCommand(Packet):
             super().add_payload(payload)
             return
         operations: list[Packet] = [*self.getfieldval("operations"), *in_a_row(payload)]
-        sizes = memory_of(operations)
+        made = command_of(operations)
         self.setfieldval("operations", operations)
-        self.setfieldval("local_size", max(self.getfieldval("local_size"), sizes.local_size))
-        self.setfieldval("global_size", max(self.getfieldval("global_size"), sizes.global_size))
+        self.setfieldval("local_size", max(self.getfieldval("local_size"), made.local_size))
+        self.setfieldval("global_size", max(self.getfieldval("global_size"), made.global_size))
         frame = self.underlayer
-        if sizes.wants_reply and isinstance(frame, EV3) and "type" not in frame.fields:
+        if made.wants_reply and isinstance(frame, EV3) and "type" not in frame.fields:
             frame.type = MessageType.DIRECT_COMMAND_REPLY.value
 
 

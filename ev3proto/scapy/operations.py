@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from scapy.config import conf
 from scapy.fields import Field, PacketListField, XByteEnumField
@@ -13,7 +13,7 @@ from scapy.volatile import RandFloat, RandNum, VolatileValue
 
 from ev3proto.compose import command
 from ev3proto.errors import BuildError, DecodeError
-from ev3proto.messages import GV, Argument, Operation, Variable
+from ev3proto.messages import GV, Argument, DirectCommand, Operation, Variable
 from ev3proto.schema.argument import ArgumentSchema
 from ev3proto.schema.instructions import CMD, instruction_set
 from ev3proto.tables import OPCODES
@@ -212,14 +212,9 @@ class EV3Operation(Packet):
 
 
 @cache
-def _declarations() -> dict[str, Declaration]:
-    """Returns the operations of all firmwares, by layer name."""
-    return {entry.name.replace(".", "_"): entry for entry in declarations(OPCODES) if entry.dialects}
-
-
 def operation_names() -> dict[str, Declaration]:
-    """Returns every operation by the name of its layer: `SOUND_TONE`."""
-    return _declarations()
+    """Returns the operations of all firmwares by the names of their layers: `SOUND_TONE`."""
+    return {entry.name.replace(".", "_"): entry for entry in declarations(OPCODES) if entry.dialects}
 
 
 @cache
@@ -264,14 +259,12 @@ def next_operation(pkt: Packet, before: Any, last: Any, remain: bytes) -> type[E
         return None
     instructions = instruction_set(conf.contribs["ev3"]["dialect"])
     schema = instructions.opcodes[remain[0]]
-    family = instructions.families[remain[0]]
-    if family is not None:
+    if schema is None:
         try:
-            cmd, _ = CMD.read(remain, 1)
+            schema, _ = instructions.select(remain, 0, len(remain))
         except DecodeError:
             return None
-        schema = family.commands.get(int(cmd.value)) if cmd.kind == CONSTANT else None
-    return None if schema is None else operation_layer(schema.declaration)
+    return operation_layer(schema.declaration)
 
 
 def in_a_row(packet: Packet) -> list[Packet]:
@@ -285,20 +278,11 @@ def in_a_row(packet: Packet) -> list[Packet]:
     return found
 
 
-class MemorySizes(NamedTuple):
-    """The memory that operations use, in bytes, and whether they write to global memory."""
-
-    local_size: int
-    global_size: int
-    wants_reply: bool
-
-
-def memory_of(packets: Iterable[Packet]) -> MemorySizes:
-    """Returns the memory that operations use; none if they cannot be read."""
+def command_of(packets: Iterable[Packet]) -> DirectCommand:
+    """Returns operations as a command, which requests the memory that they use; an empty one if they are unreadable."""
     data = b"".join(bytes(packet) for packet in packets)
     operations, fault = instruction_set(conf.contribs["ev3"]["dialect"]).scan(data, 0, len(data))
     try:
-        made = command(*(operations if fault is None else ()))
+        return command(*(operations if fault is None else ()))
     except BuildError:
-        return MemorySizes(0, 0, False)
-    return MemorySizes(made.local_size, made.global_size, made.wants_reply)
+        return DirectCommand()

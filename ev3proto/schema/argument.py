@@ -78,7 +78,6 @@ def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, fo
 
     Raises:
         DecodeError: An argument cannot be read. The error names its parameter and the reason.
-
     """
     for parameter, long_forms in readers:
         if at >= end:
@@ -152,7 +151,6 @@ class ArgumentSchema:
 
         Raises:
             DecodeError: There is no valid argument. The error names the parameter and the reason.
-
         """
         found: list[Argument] = []
         end = read_arguments((self.reader,), data, at, len(data), found)
@@ -271,7 +269,6 @@ def encode_integer(value: int) -> bytes:
 
     Raises:
         BuildError: The number needs more than 32 bits.
-
     """
     if -32 <= value < 32:
         return bytes((value & 0x3F,))

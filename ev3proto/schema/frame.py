@@ -76,7 +76,6 @@ class FrameReader:
 
         Raises:
             DecodeError: The frame is faulty, and `strict` is true. The error has the offset and the reason.
-
         """
         size = len(frame)
         if size < HEADER_SIZE:

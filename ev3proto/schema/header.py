@@ -52,7 +52,6 @@ class Header(NamedTuple):
         length: The length field: number of bytes that follow it.
         counter: The message counter, 0 to 65535.
         type: The number of the message type, 0 to 255.
-
     """
 
     length: int
@@ -74,7 +73,6 @@ def frame_size(data: bytes | bytearray, at: int = 0) -> int:
 
     Returns:
         Bytes of the whole frame, including its length field: 2 to 65537. `is_frame_size` says whether that is possible.
-
     """
     length: int = _length.unpack_from(data, at)[0]
     return length + LENGTH_FIELD
@@ -158,7 +156,6 @@ def write_memory(global_size: int, local_size: int) -> bytes:
 
     Raises:
         BuildError: A size is out of range.
-
     """
     if not isinstance(global_size, int) or not 0 <= global_size <= MAX_GLOBALS:
         raise BuildError(f"global_size cannot be {global_size!r}: a header can request 0 to {MAX_GLOBALS} bytes")
@@ -186,7 +183,6 @@ def build_frame(code: int, counter: int, body: bytes, length: int | None = None)
 
     Raises:
         BuildError: The frame would be longer than the brick accepts, or the counter is out of range.
-
     """
     if length is None:
         size = HEADER_SIZE + len(body)

@@ -65,7 +65,6 @@ class OperationSchema:
 
         Raises:
             DecodeError: The last argument is not a count, or not enough bytes are left for the elements.
-
         """
         count = self._count(before[-1], room)
         return (schema.reader for schema in self._listed(self._element_type(before), count))
@@ -113,7 +112,6 @@ class OperationSchema:
 
         Returns:
             CMD as an argument, None if the opcode has no CMD.
-
         """
         if self.declaration.command is None:
             return None
@@ -131,7 +129,6 @@ class OperationSchema:
 
         Returns:
             The arguments after opcode and CMD, up to `end`.
-
         """
         found: list[Argument] = []
         cmd = self.selector(data, at)
@@ -153,7 +150,6 @@ class OperationSchema:
 
         Raises:
             BuildError: A value is missing, superfluous or invalid. The error names the parameter.
-
         """
         if isinstance(value, Operation):
             return value.raw
@@ -232,7 +228,6 @@ class OperationSchema:
 
         Raises:
             BuildError: As for `write`.
-
         """
         raw = self.write(values)
         return Operation((self, raw, 0, len(raw)))
@@ -255,7 +250,6 @@ def operation_schema(opcode: Opcode, command: Command | None = None) -> Operatio
 
     Returns:
         The schema, created on first use.
-
     """
     key = id(opcode if command is None else command)  # entries are never dropped, and hashing one is slow
     schema = _SCHEMAS.get(key)
@@ -342,7 +336,6 @@ class InstructionSet:
         Returns:
             The operations, and what is wrong with the next one. The last operation is a `PartialOperation` if only
             its first arguments could be read.
-
         """
         operations: list[Operation] = []
         opcodes = self.opcodes

@@ -173,19 +173,6 @@ class OperationFacts:
         has_letters: Whether the firmware refuses some characters of a text, or adds a suffix.
     """
 
-    __slots__ = (
-        "_elements",
-        "declaration",
-        "effects",
-        "ends_code",
-        "has_handles",
-        "has_letters",
-        "has_lists",
-        "is_jump",
-        "name",
-        "parameters",
-    )
-
     def __init__(self, schema: OperationReader) -> None:
         declaration = schema.declaration
         parameters = declaration.fixed

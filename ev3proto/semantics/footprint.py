@@ -113,7 +113,6 @@ class Memory(NamedTuple):
         globals: The bytes of global memory.
         locals: The bytes of local memory.
         is_exact: Whether the operations tell the maximum size of all that they use.
-
     """
 
     globals: int

@@ -49,7 +49,6 @@ class Judgement(NamedTuple):
         known: The facts about its parameter.
         value: The value, of an argument or to be encoded.
         read: The number that the brick reads instead; None if it reads the value or no number.
-
     """
 
     wrong: Wrong

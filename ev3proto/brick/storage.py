@@ -173,10 +173,7 @@ class Storage:
         if place is None or path.endswith(b"/"):
             return None
         there = _status(place)
-        if there is None:
-            if not self._may_make():
-                return None
-        elif not stat.S_ISREG(there.st_mode):
+        if not (self._may_make() if there is None else stat.S_ISREG(there.st_mode)):
             return None
         flags = os.O_WRONLY | os.O_CREAT | (os.O_APPEND if append else os.O_TRUNC)
         file = self._open(place, flags, "ab" if append else "wb")
@@ -252,9 +249,11 @@ class Storage:
         self._delete_tree(target, depth)
         if not self.make_folder(target):
             return False
-        below = [b"/" + os.fsencode(name) for name, _ in _entries(origin)]
-        copied = [self.copy(source + name, target + name, depth - 1) for name in below]
-        return all(copied)
+        is_whole = True
+        for name, _ in _entries(origin):
+            below = b"/" + os.fsencode(name)
+            is_whole &= self.copy(source + below, target + below, depth - 1)
+        return is_whole
 
     def _copy_file(self, source: bytes, target: bytes) -> bool:
         reader = self.open_to_read(source)

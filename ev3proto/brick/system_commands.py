@@ -24,7 +24,7 @@ from ev3proto.tables.constants import CONSTANTS
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME
 from ev3proto.tables.paths import is_allowed
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemStatus
+from ev3proto.tables.system import SYSTEM_BY_NUMBER, SystemStatus
 
 HANDLES = 64
 NO_HANDLE = 0xFF
@@ -112,11 +112,8 @@ class SystemCommands:
         if function is None:
             return None
         fields, at, _ = REQUESTS[number].read_leniently(frame, HEADER_SIZE + 1, complete=False)
-        texts = {FieldKind.TEXT, FieldKind.COUNTED_TEXT}
-        known = {field.name: field for field in REQUESTS[number].fields}
         values = {
-            name: str(value).encode(STRING_CODING) if known[name].kind in texts else value
-            for name, value in fields.items()
+            name: value.encode(STRING_CODING) if isinstance(value, str) else value for name, value in fields.items()
         }
         found = function(self, Request(channel, values, frame[at:]))
         if found is None:

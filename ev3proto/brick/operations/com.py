@@ -130,12 +130,11 @@ def get_network(vm: Machine, hardware: int, length: int, *places: Location) -> N
     if hardware != WIFI or rooms[0] is None or None in rooms:
         return
     settings = vm.brick.settings
-    is_connected = settings.wifi and settings.network is not None
-    name = settings.network.encode(STRING_CODING) if is_connected and settings.network else NO_NETWORK
-    places[0].write_cut(name, rooms[0])
+    network = settings.network if settings.wifi else None
+    places[0].write_cut(network.encode(STRING_CODING) if network else NO_NETWORK, rooms[0])
     # The firmware does not cut addresses.
     places[1].write_text(settings.mac.encode(STRING_CODING) if settings.wifi else UNKNOWN)
-    places[2].write_text(settings.ip.encode(STRING_CODING) if is_connected and settings.ip else UNKNOWN)
+    places[2].write_text(settings.ip.encode(STRING_CODING) if network and settings.ip else UNKNOWN)
 
 
 # COM_SET

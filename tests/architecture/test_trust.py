@@ -29,12 +29,6 @@ from ev3proto.text.spans import visible
 HARMFUL = "\x1b]52;c;Zm9v\x07\x1b[2J\x9b31m\x85\x7f\u202e\u2066\u2028"
 
 
-def a_string(text: bytes) -> str:
-    """A command that carries a text of any characters."""
-    operation = ev3proto.operation("FILENAME.EXIST", text.decode("latin-1"), ev3proto.GV(0))
-    return ev3proto.direct_command(operation, global_size=4).build().hex()
-
-
 CONTROLS = [letter for letter in HARMFUL if not letter.isprintable()]
 
 
@@ -55,7 +49,9 @@ def test_invisible_characters_are_written_as_in_json() -> None:
 
 
 def test_json_stays_json() -> None:
-    done = run_ev3proto_text("decode", "--json", a_string(b"\x9b\x7f\x1b"))
+    operation = ev3proto.operation("FILENAME.EXIST", "\x9b\x7f\x1b", ev3proto.GV(0))
+    command = ev3proto.direct_command(operation, global_size=4).build()
+    done = run_ev3proto_text("decode", "--json", command.hex())
     (entry,) = map(json.loads, done.stdout.splitlines())
     assert entry["operations"][0]["args"][0]["value"] == "\x9b\x7f\x1b"
     assert done.stdout.isascii()

@@ -33,10 +33,6 @@ def segments() -> list[bytes]:
     return [connection.segment(True, command) for command in COMMANDS]
 
 
-def five_commands(order: str) -> bytes:
-    return pcap(RAW_IP, timed(segments()), order=order)
-
-
 def ways() -> dict[str, bytes]:
     """The five commands, a millisecond apart, in every kind of file that can contain IP."""
     packets = timed(segments())
@@ -114,7 +110,7 @@ def test_nanoseconds_are_kept() -> None:
 
 
 def test_the_link_of_a_pcap_file_may_say_that_check_sums_follow() -> None:
-    data = bytearray(five_commands("<"))
+    data = bytearray(pcap(RAW_IP, timed(segments())))
     data[20:24] = struct.pack("<I", 0x5400_0000 | RAW_IP)
     assert read_bytes(bytes(data)) == (COMMANDS, None)
 

@@ -41,41 +41,6 @@ def connected(pieces: Iterable[bytes]) -> Iterator[bytes]:
         at += len(piece)
 
 
-def in_step(count: int) -> Iterator[bytes]:
-    return connected(TONE for _ in range(count))
-
-
-def garbage(count: int) -> Iterator[bytes]:
-    rng = random.Random(1)
-    return connected([TONE, *(b"\xff\xff" + rng.randbytes(98) for _ in range(count))])
-
-
-def frames_that_never_fit(count: int) -> Iterator[bytes]:
-    return connected([TONE, *(b"\xff\xff" + TRUNCATED * 12 for _ in range(count))])
-
-
-def large_packets_that_never_fit(count: int) -> Iterator[bytes]:
-    return connected([TONE, *(b"\xff\xff" + TRUNCATED * 175 for _ in range(count // 8))])
-
-
-def long_frames_that_never_end(count: int) -> Iterator[bytes]:
-    return connected([TONE, *(b"\xff\xff" + ENDLESS * 5 for _ in range(count))])
-
-
-def single_bytes(count: int) -> Iterator[bytes]:
-    return connected(bytes((byte,)) for byte in islice(cycle(TONE + VOLTAGE), count))
-
-
-def single_bytes_out_of_step(count: int) -> Iterator[bytes]:
-    return connected([TONE, b"\xff\xff", *(bytes((byte,)) for byte in islice(cycle(ENDLESS), 4 * count))])
-
-
-def gaps(count: int) -> Iterator[bytes]:
-    for number in range(count):
-        yield segment(True, 1000 + 40 * number, TONE + VOLTAGE[:7])
-        yield segment(False, 77, acknowledged=1040 + 40 * number)
-
-
 def segments_in_reverse(count: int) -> Iterator[bytes]:
     frames = b"".join(islice(cycle((TONE, VOLTAGE)), count))
     yield segment(True, 999, flags=SYN)
@@ -84,28 +49,36 @@ def segments_in_reverse(count: int) -> Iterator[bytes]:
             yield segment(True, 1000 + back, frames[back : back + 13])
 
 
-def connections(count: int) -> Iterator[bytes]:
+def gaps(count: int) -> Iterator[bytes]:
     for number in range(count):
-        yield segment(True, 1000, VOLTAGE + TONE[:9], port=1024 + number)
+        yield segment(True, 1000 + 40 * number, TONE + VOLTAGE[:7])
+        yield segment(False, 77, acknowledged=1040 + 40 * number)
 
 
-def commands_without_replies(count: int) -> Iterator[bytes]:
-    return connected(VOLTAGE[:2] + number.to_bytes(2, "little") + VOLTAGE[4:] for number in range(count))
+def each_byte(data: bytes, count: int) -> Iterator[bytes]:
+    return (bytes((byte,)) for byte in islice(cycle(data), count))
 
 
-HOSTILE = (
-    in_step,
-    garbage,
-    frames_that_never_fit,
-    large_packets_that_never_fit,
-    long_frames_that_never_end,
-    single_bytes,
-    single_bytes_out_of_step,
-    gaps,
-    segments_in_reverse,
-    connections,
-    commands_without_replies,
-)
+def after_a_tone(pieces: Iterable[bytes]) -> Iterator[bytes]:
+    """The same, each piece behind two bytes that no frame begins with."""
+    return connected([TONE, *(b"\xff\xff" + piece for piece in pieces)])
+
+
+HOSTILE: dict[str, Callable[[int], Iterable[bytes]]] = {
+    "in step": lambda count: connected([TONE] * count),
+    "garbage": lambda count: after_a_tone(map(random.Random(1).randbytes, [98] * count)),
+    "frames that never fit": lambda count: after_a_tone([TRUNCATED * 12] * count),
+    "large packets that never fit": lambda count: after_a_tone([TRUNCATED * 175] * (count // 8)),
+    "long frames that never end": lambda count: after_a_tone([ENDLESS * 5] * count),
+    "single bytes": lambda count: connected(each_byte(TONE + VOLTAGE, count)),
+    "single bytes out of step": lambda count: connected([TONE, b"\xff\xff", *each_byte(ENDLESS, 4 * count)]),
+    "gaps": gaps,
+    "segments in reverse": segments_in_reverse,
+    "connections": lambda count: [segment(True, 1000, VOLTAGE + TONE[:9], port=1024 + each) for each in range(count)],
+    "commands without replies": lambda count: connected(
+        VOLTAGE[:2] + number.to_bytes(2, "little") + VOLTAGE[4:] for number in range(count)
+    ),
+}
 
 
 def messages(data: bytes) -> int:
@@ -113,10 +86,10 @@ def messages(data: bytes) -> int:
     return sum(getattr(event, "message", event) is not None for event in read(io.BytesIO(data)).events())
 
 
-@pytest.mark.parametrize("packets", HOSTILE, ids=lambda made: made.__name__)
-def test_reading(packets: Callable[[int], Iterator[bytes]]) -> None:
+@pytest.mark.parametrize("packets", HOSTILE)
+def test_reading(packets: str) -> None:
     def reading(count: int) -> Work:
-        data = pcap(RAW_IP, timed(list(packets(count))))
+        data = pcap(RAW_IP, timed(list(HOSTILE[packets](count))))
         return lambda: messages(data)
 
     assert_linear(reading, PACKETS)
@@ -133,7 +106,7 @@ def test_showing(words: tuple[str, ...], tmp_path: Path) -> None:
 
     def showing(count: int) -> Work:
         path = tmp_path / f"{count}.pcap"
-        path.write_bytes(pcap(RAW_IP, timed([packet for made in HOSTILE for packet in made(count)])))
+        path.write_bytes(pcap(RAW_IP, timed([packet for made in HOSTILE.values() for packet in made(count)])))
 
         def show() -> None:
             done = run_ev3proto(*words, path, *rest)

@@ -830,14 +830,9 @@ TONE = bytes.fromhex("0e002a0080000094010182b80182e803")
 """SOUND.TONE at volume 1, 440 Hz, 1000 ms."""
 
 
-def beginnings(count: int) -> bytes:
-    """This number of connections, in each of which a complete frame is followed by the beginning of another."""
-    return pcap(RAW_IP, timed([segment(True, 1, TONE + TONE[:9], port=1024 + number) for number in range(count)]))
-
-
 def test_connections_that_had_to_go_are_reported() -> None:
-    capture = read(io.BytesIO(beginnings(1500)))
-    events = list(capture.events())
+    """In each of them, a complete frame is followed by the beginning of another."""
+    events, capture = of([segment(True, 1, TONE + TONE[:9], port=1024 + number) for number in range(1500)])
     assert len(complaints(events)) == 1500
     assert (capture.account.skipped, capture.account.balance) == (1500 * 9, 0)
 

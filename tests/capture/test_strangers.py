@@ -83,10 +83,6 @@ def over_usb(capture: Capture, stranger: Stranger, number: int) -> None:
     over(capture, Device(capture, 7 + number), stranger(random.Random(1)))
 
 
-def many_reports(rng: random.Random) -> Iterator[Said]:
-    return reports(rng, REPORTS)
-
-
 STRANGERS: dict[str, tuple[int, Callable[[Capture, Stranger, int], None], tuple[Stranger, ...]]] = {
     "tcp": (
         RAW_IP,
@@ -99,7 +95,7 @@ STRANGERS: dict[str, tuple[int, Callable[[Capture, Stranger, int], None], tuple[
         over_bluetooth,
         (object_exchange, nxt, modbus, database, cards, moves, opcodes, tuner),
     ),
-    "usb": (USBMON, over_usb, (many_reports,)),
+    "usb": (USBMON, over_usb, (lambda rng: reports(rng, REPORTS),)),
 }
 """By carrier: the capture's link, and what is said over it."""
 

@@ -103,30 +103,22 @@ def test_all_identification_bytes_are_exported() -> None:
     assert told[0x82] == ("LC2", None)
 
 
-def _misspelt(tables: dict[str, Any]) -> None:
-    tables["areas"]["sound"][0]["txt"] = tables["areas"]["sound"][0].pop("text")
-
-
-def _both(tables: dict[str, Any]) -> None:
-    tables["areas"]["sound"][0]["parameters"] = []
-
-
-def _unknown_type(tables: dict[str, Any]) -> None:
-    tables["areas"]["sound"][1]["parameters"][0]["type"] = "DATA64"
-
-
-def _too_large(tables: dict[str, Any]) -> None:
-    tables["system_commands"][0]["number"] = 256
-
-
-def _unknown_enumeration(tables: dict[str, Any]) -> None:
-    tables["areas"]["sound"][1]["parameters"][0]["enum"] = "COLOURS"
-
-
-@pytest.mark.parametrize("damage", [_misspelt, _both, _unknown_type, _too_large, _unknown_enumeration])
-def test_the_schema_finds_mistakes(damage: Any) -> None:
+@pytest.mark.parametrize(
+    ("place", "wrong"),
+    [
+        (("areas", "sound", 0), {"txt": "misspelt"}),
+        (("areas", "sound", 0), {"parameters": []}),  # besides commands
+        (("areas", "sound", 1, "parameters", 0), {"type": "DATA64"}),
+        (("system_commands", 0), {"number": 256}),
+        (("areas", "sound", 1, "parameters", 0), {"enum": "COLOURS"}),
+    ],
+)
+def test_the_schema_finds_mistakes(place: tuple[str | int, ...], wrong: dict[str, object]) -> None:
     tables = copy.deepcopy(TABLES)
-    damage(tables)
+    found: Any = tables
+    for key in place:
+        found = found[key]
+    found.update(wrong)
     assert not VALIDATOR.is_valid(tables)
 
 

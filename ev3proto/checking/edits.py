@@ -20,7 +20,7 @@ from ev3proto.schema.wire_format import NUMBERS
 from ev3proto.semantics.facts import OperationFacts, ParameterFacts, operation_facts
 from ev3proto.semantics.judgement import judge
 from ev3proto.semantics.likelihood import CommandCode, Reading
-from ev3proto.tables.declaration import Direction, Effect, Role, Tail, Type
+from ev3proto.tables.declaration import Direction, Effect, Role, Type
 from ev3proto.tables.encoding import CONSTANT, GLOBAL, LOCAL
 from ev3proto.tables.frame import LENGTH_FIELD, MESSAGE_TYPES, TYPES_BY_KIND, MessageType
 from ev3proto.tables.system import SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
@@ -115,8 +115,9 @@ def _of_order(frame: bytes) -> Iterator[Edit]:
     counter, end = LENGTH_FIELD, COMMAND_HEADER_SIZE
     for at, size, kinds, said in _ORDERS:
         moved = frame[at : at + size]
-        if len(frame) > end and moved[0] in kinds and (size == 1 or moved[1] in SYSTEM_BY_NUMBER):
-            first, last = (TYPE_AT, end) if at > counter else (counter, TYPE_AT + size)
+        first, last = (TYPE_AT, end) if at > counter else (counter, TYPE_AT + size)
+        is_long = len(frame) > end if size == 1 else len(frame) >= last
+        if is_long and moved[0] in kinds and (size == 1 or moved[1] in SYSTEM_BY_NUMBER):
             new = moved + frame[first:at] if at > counter else frame[at + size : last] + moved
             yield Edit("header-order", first, last, new, (said,))
 
@@ -489,9 +490,8 @@ def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> I
 
 def _results(facts: OperationFacts, reading: Reading, room: int) -> tuple[int, list[ParameterFacts], bytes]:
     """Returns where results are missing, which, and their number if it is missing, too."""
-    tail = reading.schema.tail if reading.schema is not None else None
-    if tail is not None:
-        return reading.end, *_list_of_results(facts, reading, tail, room)
+    if reading.schema is not None and reading.schema.tail is not None:
+        return reading.end, *_list_of_results(facts, reading, reading.schema, room)
     wanted = [known for known in facts.parameters if known.parameter.is_output]
     inputs, read = len(facts.parameters) - len(wanted), reading.arguments
     if len(read) <= inputs:
@@ -522,12 +522,12 @@ def _all_local(code: CommandCode, facts: OperationFacts, reading: Reading) -> It
 
 
 def _list_of_results(
-    facts: OperationFacts, reading: Reading, tail: Tail, room: int
+    facts: OperationFacts, reading: Reading, schema: OperationSchema, room: int
 ) -> tuple[list[ParameterFacts], bytes]:
     """Returns the results of an operation that tells their number, and that number if it is missing, too."""
     read, inputs = reading.arguments, len(facts.parameters)
-    element = facts.of(inputs, tail.element)
-    if not reading.is_fault or not tail.element.is_output or not inputs - 1 <= len(read) <= inputs:
+    element = facts.of(inputs, schema.element(read))
+    if not reading.is_fault or not element.parameter.is_output or not inputs - 1 <= len(read) <= inputs:
         return [], b""
     count = min(room // element.size, _MOST_RESULTS)
     if len(read) < inputs:

@@ -255,15 +255,13 @@ class _Search:
 
     def _fitted(self, candidate: _Candidate, report: Report) -> tuple[_Candidate, Report]:
         """Returns a candidate and its report; it requests more memory if only that is wrong with it."""
-        kind = candidate.edits[0].kind
-        if kind == "digit" or not report.errors or not {finding.code for finding in report.errors} <= _BEYOND:
+        beyond = {finding.code for finding in report.errors}
+        if not beyond or not beyond <= _BEYOND or candidate.edits[0].kind == "digit":
             return candidate, report
-        is_moved = kind == "scope"  # from local memory, which is not needed then
-        frame = _with_memory(candidate.frame, self._dialect, keeps_locals=not is_moved)
+        frame = _with_memory(candidate.frame, self._dialect)
         if frame == candidate.frame:
             return candidate, report
-        price = candidate.price + (_WITH_MEMORY if is_moved else SLIPS["memory-size"].cost)
-        return candidate._replace(frame=frame, price=price), self._check(frame)
+        return candidate._replace(frame=frame, price=candidate.price + SLIPS["memory-size"].cost), self._check(frame)
 
     def _best(self, frame: bytes) -> list[_Judged]:
         """Returns the best candidates one edit away, as `check` judges them."""
@@ -385,15 +383,15 @@ class _Search:
         at, end, guess = HEADER_SIZE, COMMAND_HEADER_SIZE, 0 if is_exact else MEMORY_SIZE
         words = *(counted(size, "byte") for size in sizes), *asked
         edit = Edit("memory-size", at, end, new[at:end], words, guess=guess)
+        message = read_last(whole, self._dialect)
+        results = [one for one in message.operations if one.has_outputs] if isinstance(message, DirectCommand) else []
         if new != whole:
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
-        elif is_exact:
+        elif is_exact and not (results and asked[0] > sizes[0] == 0):
             less = write_memory(*sizes)
             if sum(one != other for one, other in zip(less.hex(), whole[at:end].hex(), strict=True)) == 1:
                 new = whole[:at] + less + whole[end:]
                 yield _Candidate((edit,), _DIGIT_OF_MEMORY + base, self._read(new), new)
-        message = read_last(whole, self._dialect)
-        results = [one for one in message.operations if one.has_outputs] if isinstance(message, DirectCommand) else []
         if frame[TYPE_AT] == MessageType.DIRECT_COMMAND_NO_REPLY and results and sizes[0]:
             reply = bytes((MessageType.DIRECT_COMMAND_REPLY,))
             edit = Edit("no-reply", TYPE_AT, HEADER_SIZE, reply, (results[0].full_name,))
@@ -414,9 +412,20 @@ class _Search:
                 if cost is None:
                     continue
                 new, price = self._applied(frame, edit)
+                read = sum(costs[:number]) + cost
+                if edit.kind == "scope":
+                    new, read, price = *self._moved(new, read), price + _WITH_MEMORY
                 if is_clean and edit.guess:
                     price = max(price, SLIPS[edit.kind].cost + edit.extra) + 1.0
-                yield _Candidate((edit,), price, sum(costs[:number]) + cost, new)
+                yield _Candidate((edit,), price, read, new)
+
+    def _moved(self, frame: bytes, read: float) -> tuple[bytes, float]:
+        """Returns a frame whose results were in local memory with global memory for them, and what is read."""
+        new = _with_memory(frame, self._dialect)
+        if new == frame:
+            return frame, read - _WITH_MEMORY
+        new = _with_memory(frame, self._dialect, keeps_locals=False)  # which is not needed then
+        return new, self._read(new)
 
 
 def _weight(code: str) -> float:

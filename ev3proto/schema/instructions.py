@@ -67,7 +67,7 @@ class OperationSchema:
             DecodeError: The last argument is not a count, or not enough bytes are left for the elements.
         """
         count = self._count(before[-1], room)
-        return (schema.reader for schema in self._listed(self._element_type(before), count))
+        return (schema.reader for schema in self._listed(self.element(before), count))
 
     def _count(self, counter: Argument, room: int) -> int:
         """Returns the number of list elements that an argument announces, for which `room` bytes are available."""
@@ -84,24 +84,22 @@ class OperationSchema:
             )
         return counter.value
 
-    def _listed(self, element: Type | None, count: int) -> Iterator[ArgumentSchema]:
-        """Yields the schemas of a list's elements, which without a type are numbers of unknown type."""
-        assert self.tail is not None
-        declared = self.tail.element if element is None else self.tail.element._replace(type=element)
-        known = self._elements.setdefault(declared.type, [])
+    def _listed(self, element: Parameter, count: int) -> Iterator[ArgumentSchema]:
+        """Yields the schemas of a list's elements."""
+        known = self._elements.setdefault(element.type, [])
         for index in range(count):
             if index == len(known):
-                known.append(ArgumentSchema(declared._replace(name=f"{declared.name}[{index}]")))
+                known.append(ArgumentSchema(element._replace(name=f"{element.name}[{index}]")))
             yield known[index]
 
-    def _element_type(self, arguments: Sequence[Argument]) -> Type | None:
-        """Returns the type of the list's elements if another argument gives it."""
-        if self.tail is None or self.tail.typed_by is None:
-            return None
-        for argument in arguments:
+    def element(self, before: Sequence[Argument]) -> Parameter:
+        """Returns the parameter of a list's elements, a number of unknown type if no argument before tells it."""
+        assert self.tail is not None
+        element = self.tail.element
+        for argument in before:
             if argument.name == self.tail.typed_by and argument.kind == CONSTANT:
-                return FORMAT_TYPES.get(int(argument.value))
-        return None
+                return element._replace(type=FORMAT_TYPES.get(int(argument.value), element.type))
+        return element
 
     def selector(self, data: bytes, at: int) -> Argument | None:
         """Reads CMD.
@@ -196,7 +194,7 @@ class OperationSchema:
             raise BuildError(f"{count.name} must be a constant: it is the number of values that follow; or pass a list")
         if count.value != len(elements):
             raise BuildError(f"{count.name} says {count.value}, but {len(elements)} values follow")
-        element = self._element_type(arguments)
+        element = self.element(arguments)
         for schema, value in zip(self._listed(element, len(elements)), elements, strict=True):
             yield schema.write(value)
 

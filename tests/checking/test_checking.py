@@ -794,6 +794,9 @@ def test_a_jump_to_what_cannot_be_read_is_not_one_into_an_operation(distance: st
         ("80|00:00|B1:00:06:1E:00:82:68:01:01", []),
         ("80|00:10|85:0A:40|86:40", []),  # a result that the command itself reads
         ("00|00:10|81:01:40", ["W407"]),
+        ("00|00:04|0C:16:01:40", ["W407"]),  # PROGRAM_INFO.GET_STATUS
+        # Started before it was loaded.
+        ("80|00:20|03:01:40:44:00|C0:08:01:84:61:00:40:44", ["W708"]),
     ],
 )
 def test_operations_together(text: str, said: list[str]) -> None:

@@ -183,7 +183,9 @@ def _hidden(local: list[Use]) -> Iterator[Finding]:
     read = {place.operation.offset for _, place in local if place.argument.offset not in unseen}
     end = 0
     for operation, place in local:
-        if operation.has(Effect.READS) and operation.start not in read and place.argument.offset in unseen:
+        # A file that is opened, or an array, may be used by its number.
+        is_reading = not operation.facts.has_handles and any(map(operation.has, (Effect.READS, Effect.COMPUTES)))
+        if is_reading and operation.start not in read and place.argument.offset in unseen:
             start = end + -end % place.facts.alignment
             end = start + place.reserved
             parts = {

@@ -23,7 +23,7 @@ def check_programs(context: CheckContext) -> Iterator[Finding]:
     if Effect.SYNCHRONIZES in context.effects:
         yield from _synchronized(context.operations)
     if Effect.CONTROLS_PROGRAMS in context.effects:
-        yield from _slots(context.operations)
+        yield from _slots(context.operations, has_jumps=context.has_jumps)
 
 
 def _synchronized(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
@@ -38,9 +38,9 @@ def _synchronized(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]
 _PAIR = 2
 
 
-def _slots(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+def _slots(operations: tuple[CheckedOperation, ...], *, has_jumps: bool) -> Iterator[Finding]:
     loaded: set[int | None] = set()
-    for operation in operations:
+    for place, operation in enumerate(operations):
         slot = operation.arguments[0] if operation.arguments else None
         number = whole_number(slot)
         if slot is not None and number == _MENU and operation.name in codes.SLOT_OF_MENU.words:
@@ -48,7 +48,8 @@ def _slots(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
         elif operation.name == _LOAD:
             loaded.add(number)
         elif operation.name == _START and slot is not None and number is not None:
-            yield from _start(operation, slot, number, loaded, operations)
+            # With jumps the order is unknown.
+            yield from _start(operation, slot, number, loaded, operations[: None if has_jumps else place + 1])
 
 
 def _start(
@@ -58,7 +59,7 @@ def _start(
     loaded: set[int | None],
     operations: tuple[CheckedOperation, ...],
 ) -> Iterator[Finding]:
-    """Yields what is wrong with the start of a program, after programs were loaded into some slots."""
+    """Yields what is wrong with the start of a program, after some operations that loaded programs into slots."""
     address = next((one for one in operation.arguments if one.name == "IP"), None)
     if address is not None and (whole_number(address) == 0 or _is_empty(address, operations)):
         yield operation.finding_of(codes.STARTED_UNLOADED, address)
@@ -67,7 +68,7 @@ def _start(
 
 
 def _is_empty(address: Argument, operations: tuple[CheckedOperation, ...]) -> bool:
-    """Returns whether an argument is a local variable that no operation of the command fills."""
+    """Returns whether an argument is a local variable that none of the operations fills."""
     places: list[Footprint] = [place for one in operations for place in footprints(one.parsed)]
     written = Taken((one.start, one.end) for one in places if one.facts.is_written and not one.is_global)
     own = [one for one in places if one.argument is address and one.argument.kind == LOCAL]

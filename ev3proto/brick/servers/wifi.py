@@ -149,14 +149,15 @@ class Wifi:
 class _Client(asyncio.Protocol):
     """One TCP connection, from the unlock text to its end."""
 
+    _transport: asyncio.Transport  # from when it is connected
+    _timer: asyncio.TimerHandle
+
     def __init__(self, wifi: Wifi, host: Owner) -> None:
         self._wifi = wifi
         self._host = host
-        self._transport: asyncio.Transport | None = None
         self._connection: Session | None = None
         self._unlocking = Unlocking()
         self._rest: bytes | None = None
-        self._timer: asyncio.TimerHandle | None = None
 
     # Callbacks of asyncio
 
@@ -186,8 +187,7 @@ class _Client(asyncio.Protocol):
             self._connection.throttle(False)
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - the reason does not matter
-        if self._timer is not None:
-            self._timer.cancel()
+        self._timer.cancel()
         connection, self._connection = self._connection, None
         try:
             if connection is not None:
@@ -200,12 +200,10 @@ class _Client(asyncio.Protocol):
     @property
     def address(self) -> str:
         """The client's IP address."""
-        assert self._transport is not None
         return str(self._transport.get_extra_info("peername")[0])
 
     def accept(self) -> None:
         """Answers the unlock text: its turn has come."""
-        assert self._transport is not None
         assert self._rest is not None
         host, port = self._transport.get_extra_info("peername")[:2]
         ends = (host, port), self._transport.get_extra_info("sockname")[:2]
@@ -219,14 +217,12 @@ class _Client(asyncio.Protocol):
 
     def drop(self) -> None:
         """Ends the connection at once."""
-        if self._transport is not None:
-            self._transport.abort()
+        self._transport.abort()
 
     def _unlock(self, data: bytes) -> None:
         rest = self._unlocking.feed(data)
         if rest is None:
             return
-        assert self._timer is not None
         self._timer.cancel()
         self._rest = rest
         self.pause()
@@ -240,15 +236,12 @@ class _Client(asyncio.Protocol):
     # Called by the connection
 
     def send(self, data: bytes) -> None:
-        assert self._transport is not None
         if not self._transport.is_closing():
             self._transport.write(data)
 
     def pause(self) -> None:
-        assert self._transport is not None
         self._transport.pause_reading()
 
     def resume(self) -> None:
-        assert self._transport is not None
         if not self._transport.is_closing():
             self._transport.resume_reading()

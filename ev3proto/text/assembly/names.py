@@ -151,15 +151,9 @@ class Names:
         above = [it for it in self.globals.get(name, ()) if it.at < at]
         return above[-1] if above else None
 
-    def _object(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
-        return self.objects.get(name)
-
     def _object_above(self, name: str, at: int, _parameter: Parameter | None) -> Meaning | None:
         callee = self.objects.get(name)
         return callee if callee and callee.at < at else None
-
-    def _called(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
-        return self.objects.get(name) if is_object(parameter) else None
 
     def _define(self, name: str, _at: int, _parameter: Parameter | None) -> Meaning | None:
         return self.defined(self.defines[name], LocalNames()) if name in self.defines else None
@@ -167,9 +161,6 @@ class Names:
     def _define_above(self, name: str, at: int, _parameter: Parameter | None) -> Meaning | None:
         define = self.defines.get(name)
         return self.defined(define, LocalNames()) if define is not None and define.at < at else None
-
-    def _firmware(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
-        return firmware_constant(name, parameter if self.notation.has_messages else None)
 
     def _goal(self, name: str, _at: int, parameter: Parameter | None) -> Meaning | None:
         is_goal = parameter is not None and parameter.role is Role.JUMP
@@ -185,12 +176,14 @@ class Names:
     _LOOKUPS: ClassVar = {
         Known.LOCALS: _local_define,
         Known.GLOBALS: _global_above,
-        Known.OBJECTS: _object,
+        Known.OBJECTS: lambda self, name, _at, _parameter: self.objects.get(name),
         Known.OBJECTS_ABOVE: _object_above,
-        Known.CALLED: _called,
+        Known.CALLED: lambda self, name, _at, parameter: self.objects.get(name) if is_object(parameter) else None,
         Known.DEFINES: _define,
         Known.DEFINES_ABOVE: _define_above,
-        Known.FIRMWARE: _firmware,
+        Known.FIRMWARE: lambda self, name, _at, parameter: firmware_constant(
+            name, parameter if self.notation.has_messages else None
+        ),
         Known.GOALS: _goal,
         Known.LABELS: _label,
     }

@@ -143,8 +143,8 @@ class FrameReader:
         number = frame[at]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
-            error = DecodeError(at, f"unknown system command 0x{number:02X}")
-            return SystemCommand(type=member, counter=counter, number=number), frame[at + 1 :], error
+            message = SystemCommand(type=member, counter=counter, number=number)
+            return message, frame[at + 1 :], DecodeError(at, f"unknown system command 0x{number:02X}")
         fields, at, fault = REQUESTS[number].read_leniently(frame, at + 1, complete=True)
         message = SystemCommand(type=member, counter=counter, number=number, command=known.name, fields=fields)
         return message, frame[at:], fault
@@ -158,9 +158,8 @@ class FrameReader:
         number, status = frame[at], frame[at + 1]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
-            error = DecodeError(at, f"unknown system command 0x{number:02X}")
             reply = SystemReply(type=member, counter=counter, number=number, status_code=status)
-            return reply, frame[at + 2 :], error
+            return reply, frame[at + 2 :], DecodeError(at, f"unknown system command 0x{number:02X}")
         failed = status != system.SystemStatus.SUCCESS or member.is_error
         fields, at, fault = REPLIES[number].read_leniently(frame, at + 2, complete=not failed)
         reply = SystemReply(
@@ -189,8 +188,8 @@ class FrameReader:
             fault = DecodeError(at, f"unknown daisy sub-command 0x{number:02X}")
         else:
             name = command.name
-            if command.carries_operations:
-                operations = self._operations_if_whole(frame, at + 3, end)
+            found, wrong = self.instructions.scan(frame, at + 3, end) if command.carries_operations else ([], None)
+            operations = tuple(found) if wrong is None else ()
         message = DaisyCommand(
             type=member,
             counter=counter,
@@ -202,10 +201,6 @@ class FrameReader:
             operations=operations,
         )
         return message, b"", fault
-
-    def _operations_if_whole(self, frame: bytes, at: int, end: int) -> tuple[Operation, ...]:
-        operations, fault = self.instructions.scan(frame, at, end)
-        return () if fault else tuple(operations)
 
     def _daisy_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
         end = len(frame)

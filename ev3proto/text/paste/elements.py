@@ -298,7 +298,7 @@ _UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
 _NAMED = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
 MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<word>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
 r"""An escape without hex digits, such as `\xof`."""
-_LONGEST_KEPT, _MOST_KEPT = 8, 1 << 14
+_LONGEST_KEPT, _MOST_KEPT, _MOST_ESCAPES = 8, 1 << 14, 1 << 12
 
 
 def unknown_bytes(element: TextElement) -> list[bool]:
@@ -429,26 +429,21 @@ _ESCAPES = re.compile(
 )
 
 
-class _Characters(dict[str, str]):
-    """The characters of escapes."""
-
-    def __missing__(self, escape: str) -> str:
-        found = _ESCAPES.fullmatch(escape)
-        assert found is not None
-        *digits, octal, other = found.groups()
-        if other is not None:
-            # A letter without a meaning is itself after its backslash, as in Python.
-            return _NAMED.get(other, escape if other.isalpha() else other)
-        return self.setdefault(escape, chr(int(octal, 8) if octal else int("".join(filter(None, digits)), 16)))
-
-
-_CHARACTERS = _Characters()
+@lru_cache(_MOST_ESCAPES)
+def _unescaped(escape: str) -> str:
+    """Returns the character of an escape; a letter without a meaning is itself after its backslash, as in Python."""
+    found = _ESCAPES.fullmatch(escape)
+    assert found is not None
+    *digits, octal, other = found.groups()
+    if other is not None:
+        return _NAMED.get(other, escape if other.isalpha() else other)
+    return chr(int(octal, 8) if octal else int("".join(filter(None, digits)), 16))
 
 
 def string_bytes(body: str) -> bytes | None:
     """Returns the bytes of what is between two quotes; None where an escape is wrong, or a character is not a byte."""
     try:
-        return None if MISSPELT.search(body) else _ESCAPES.sub(lambda one: _CHARACTERS[one[0]], body).encode("latin-1")
+        return None if MISSPELT.search(body) else _ESCAPES.sub(lambda one: _unescaped(one[0]), body).encode("latin-1")
     except UnicodeEncodeError:
         return None
 

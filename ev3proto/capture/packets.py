@@ -66,6 +66,17 @@ def begins_with(*starts: bytes) -> Callable[[bytes], bool | None]:
     return matches
 
 
+def without_magic(needs: int, is_it: Callable[[bytes], bool]) -> Callable[[bytes], bool | None]:
+    """Returns the `matches` of a format without a magic. Unlike texts, its files begin with zeros among others."""
+
+    def matches(head: bytes) -> bool | None:
+        if len(head) < needs:
+            return None if not head or b"\0" in head else False
+        return is_it(head)
+
+    return matches
+
+
 def records(
     stream: BinaryIO, head: struct.Struct, at: int, length_of: Callable[[tuple[int, ...]], int]
 ) -> Iterator[tuple[int, tuple[int, ...], bytes]]:

@@ -8,7 +8,7 @@ from typing import BinaryIO
 
 import click
 
-from ev3proto.capture.dialogues import RequestReply, dialogues
+from ev3proto.capture.dialogues import dialogues
 from ev3proto.capture.record import Announcement, CaptureError, Record, Skipped, TextKind
 from ev3proto.checking.report import Severity
 from ev3proto.cli.ending import stopped_by_signals
@@ -102,7 +102,7 @@ class _Watching:
     def show(self, events: Iterable[Event]) -> None:
         """Shows all events."""
         for pair in dialogues(self._beside(events), PATIENCE_NS):
-            if self._is_wanted(pair):
+            if self._chosen is None or self._chosen.of_dialogue(pair):
                 self._dialogues.show(pair, self._start_ns or 0)
 
     def _beside(self, events: Iterable[Event]) -> Iterator[Record | Skipped | Announcement]:
@@ -118,10 +118,6 @@ class _Watching:
                 if isinstance(event, Announcement) and self._is_shown(event):
                     self._show.announcement(event, self._start_ns)
                 yield event
-
-    def _is_wanted(self, pair: RequestReply) -> bool:
-        chosen = self._chosen
-        return chosen is None or chosen.of_dialogue(pair)
 
     def _is_shown(self, announcement: Announcement) -> bool:
         """Whether to show a text: without a filter each one, but equal beacons only once for people."""

@@ -173,16 +173,11 @@ def _recording(record: str | None, stack: ExitStack, force: bool) -> Recording |
     if record is None:
         return None
     with _recording_to(record):
-        return Recording(_recorded_to(record, stack, force))
+        if record == "-":
+            refuse_terminal(None, "a capture", option="--record")
+            return Recording(sys.stdout.buffer)
+        return Recording(cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record), force=force)))))
 
 
 def _recording_to(record: str | None) -> AbstractContextManager[object]:
     return writing_output() if record in ("-", None) else failing_to("written", record)
-
-
-def _recorded_to(record: str, stack: ExitStack, force: bool) -> BinaryIO:
-    """Opens the stream of the recording. Raises OSError, click.UsageError or OutputError."""
-    if record == "-":
-        refuse_terminal(None, "a capture", option="--record")
-        return sys.stdout.buffer
-    return cast(BinaryIO, stack.enter_context(closing(GrowingFile(Path(record), force=force))))

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from io import BufferedReader
 from typing import Any
 
-from ev3proto.capture.packets import Format, Interface, Packet, records
+from ev3proto.capture.packets import Format, Interface, Packet, records, without_magic
 from ev3proto.tables.carriers import Link
 
 _RECORDS = {order: struct.Struct(f"{order}IIIB") for order in "><"}
@@ -54,13 +54,6 @@ def _order_of(head: bytes) -> str | None:
     return None
 
 
-def _matches(head: bytes) -> bool | None:
-    """Returns whether a file begins with such a record; None for too few bytes. Unlike texts, records have zeros."""
-    if len(head) < _NEEDED:
-        return None if not head or b"\0" in head else False
-    return _order_of(head) is not None
-
-
 def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
     """Yields the packets of a file. Raises CaptureError for a damaged one, after everything readable."""
     interface = Interface(Link.HCI_WITH_DIRECTION)
@@ -72,4 +65,4 @@ def packets(stream: BufferedReader[Any]) -> Iterator[Packet]:
         yield Packet(number, time_ns, head + data, len(head) + size - _LEAST, interface)
 
 
-FORMAT = Format("pklg", (".pklg",), _NEEDED, _matches, packets)
+FORMAT = Format("pklg", (".pklg",), _NEEDED, without_magic(_NEEDED, lambda head: _order_of(head) is not None), packets)

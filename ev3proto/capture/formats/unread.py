@@ -6,7 +6,7 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import BinaryIO
 
-from ev3proto.capture.packets import Format, Packet, begins_with
+from ev3proto.capture.packets import Format, Packet, begins_with, without_magic
 from ev3proto.capture.record import CaptureError
 
 BTSNOOZ = (
@@ -38,17 +38,6 @@ def _is_btsnooz(head: bytes) -> bool:
     return version in _VERSIONS and milliseconds in _YEARS and head[_summary.size :].startswith(_ZLIB)
 
 
-def _binary(needs: int, is_it: Callable[[bytes], bool]) -> Callable[[bytes], bool | None]:
-    """Returns the `matches` of a format without a magic. Unlike texts, the files begin with zeros among other bytes."""
-
-    def matches(head: bytes) -> bool | None:
-        if len(head) < needs:
-            return None if not head or b"\0" in head else False
-        return is_it(head)
-
-    return matches
-
-
 def _unread(name: str, needs: int, matches: Callable[[bytes], bool | None], sentence: str) -> Format:
     """Returns a format whose files are refused with a sentence."""
 
@@ -65,10 +54,10 @@ FORMATS = (
     _unread(
         "hcidump -w",
         _record.size,
-        _binary(_record.size, _is_hcidump),
+        without_magic(_record.size, _is_hcidump),
         "a file of hcidump -w, which is not read here; --engine wireshark reads it",
     ),
-    _unread("btsnooz", _summary.size + 1, _binary(_summary.size + 1, _is_btsnooz), BTSNOOZ),
+    _unread("btsnooz", _summary.size + 1, without_magic(_summary.size + 1, _is_btsnooz), BTSNOOZ),
     _unread(
         "NetLog",
         len(_NETLOG),

@@ -38,16 +38,17 @@ class Words:
 
     def filled(self, parts: Mapping[str, object]) -> tuple[str, str]:
         """Returns message and help with their parts."""
-
-        def optional(found: re.Match[str]) -> str:
-            return "" if None in map(parts.get, re.findall(r"\{(\w+)", found[1])) else found[1]
-
-        message, help_ = (
-            re.sub(r"\[([^]]*)\]", optional, each).format_map(parts) for each in (self.message, self.help)
-        )
-        return message, help_
+        return _filled(self.message, parts), _filled(self.help, parts)
 
 
+def _filled(template: str, parts: Mapping[str, object]) -> str:
+    def optional(found: re.Match[str]) -> str:
+        return "" if None in map(parts.get, _PART.findall(found[1])) else found[1]
+
+    return (_OPTIONAL.sub(optional, template) if "[" in template else template).format_map(parts)
+
+
+_OPTIONAL, _PART = re.compile(r"\[([^]]*)\]"), re.compile(r"\{(\w+)")
 _Texts = Mapping[Wrong | Role | str, Words]
 _NO_WORDS: _Texts = MappingProxyType({})
 

@@ -415,7 +415,7 @@ def _near(number: int) -> Iterator[int]:
 
 _HARDLY_MEANT = 2.0  # the cost of an argument
 
-_AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost, _digits)
+_AT_ARGUMENT = (_numbers, _width, _text, _floats, _aligned, _result, _lost)
 
 
 def _filler(known: ParameterFacts, code: CommandCode, before: list[Argument]) -> bytes:
@@ -557,6 +557,8 @@ def argument_edits(place: Place, arguments: list[Argument]) -> Iterator[Edit]:
 def _of_place(place: Place, arguments: list[Argument], number: int, ends: list[int]) -> Iterator[Edit]:
     at, end, data = place.at, place.end, place.code.data
     yield from argument_edits(place, arguments)
+    if at < len(data):
+        yield from _digits(place)
     if place.argument is None or at >= len(data):
         return
     is_twice = data[at:end] == data[end : end + end - at] and number + 1 < len(arguments)

@@ -45,6 +45,7 @@ SURE = 3.6
 _MOST = 8.0  # the cost above which nothing is said: too many other slips are as likely
 _MARGIN = 0.4  # how much better than silence
 _CLEAR = 1.1  # how much better than all others a fix is
+_MOST_OF_CANDIDATE = 13.0  # the cost of a candidate, besides that of the frame's operations themselves
 _LESS_WITH_MEMORY = 2.0  # how much less a candidate costs for which other memory is requested
 _LIKELY = 0.5  # the further cost of an edit below which a slip is likely at its place
 _ELSEWHERE = 1.0  # the cost of a place without the slip, where it could be
@@ -274,7 +275,7 @@ class _Search:
                 best[one.frame] = one
         best.pop(frame, None)
         found: list[_Judged] = []
-        most = float("inf")
+        most = self._costs(frame, self._report)[0] + _MOST_OF_CANDIDATE
         for one in sorted(best.values(), key=lambda each: each.price + each.read)[:_MOST_JUDGED]:
             # A candidate costs what is read, or less if other memory is requested for it.
             if self._unchecked <= 0 or one.price + one.read > most:
@@ -404,6 +405,8 @@ class _Search:
         is_clean = max(costs, default=0.0) < _SUSPICIOUS
         for number in _suspicious(code, costs):
             start, reading = code.first[number]
+            if sum(one.cost - one.rarity for _, one in code.first[:number]) > _MOST + _LESS_WITH_MEMORY:
+                continue  # which no edit here explains
             for edit in operation_edits(code, start, reading):
                 if self._unread <= 0:
                     return

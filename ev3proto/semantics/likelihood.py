@@ -121,6 +121,11 @@ class Reading(NamedTuple):
     arguments: list[Argument]
     is_fault: bool = False
 
+    @property
+    def rarity(self) -> float:
+        """The cost of the operation itself."""
+        return rarity(self.schema) if self.schema is not None else 0.0
+
 
 class CommandCode:
     """The code of a direct command, at least one byte after its header.
@@ -160,7 +165,7 @@ class CommandCode:
     @property
     def rarity(self) -> float:
         """The part of its cost that its operations have whatever their arguments are."""
-        return sum(rarity(reading.schema) for _, reading in self.first if reading.schema is not None)
+        return sum(reading.rarity for _, reading in self.first)
 
     def read(self, data: bytes, at: int) -> Reading:
         """Reads the operation at an offset of some bytes."""

@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-import functools
 from random import Random
-from typing import Any
 
 import click
 
 from ev3proto.brick.servers.host import Faults
-from ev3proto.cli.options import F, FiniteRange
+from ev3proto.cli.options import FiniteRange, gathered
 
 _SHARE = FiniteRange(0, 1)
 _MOST_DELAY = 60
 
-_OPTIONS = (
+fault_options = gathered(
+    Faults,
+    "faults",
     click.option(
         "--delay", type=FiniteRange(0, _MOST_DELAY), default=0.0, metavar="SECONDS", help="Delay every reply."
     ),
     click.option("--drop", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies to lose."),
     click.option("--corrupt", type=_SHARE, default=0.0, metavar="SHARE", help="Share of replies with a wrong byte."),
-    click.option("--seed", type=int, metavar="NUMBER", help="Lose and change the same replies in every run."),
+    click.option(
+        "--seed",
+        "random",
+        type=int,
+        callback=lambda _context, _parameter, seed: Random(seed),
+        metavar="NUMBER",
+        help="Lose and change the same replies in every run.",
+    ),
 )
-
-
-def fault_options(command: F) -> F:
-    """Adds the options to a command, which gets them as one argument, `faults`."""
-
-    @functools.wraps(command)
-    def called(*, delay: float, drop: float, corrupt: float, seed: int | None, **others: Any) -> Any:
-        return command(faults=Faults(delay, drop, corrupt, Random(seed)), **others)
-
-    for option in reversed(_OPTIONS):
-        option(called)
-    return called  # type: ignore[return-value]
+"""The options, which a command gets as one argument, `faults`."""

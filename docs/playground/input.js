@@ -11,7 +11,8 @@ import { change, state } from "./state.js";
 import { onLine, view } from "./view.js";
 
 const MOST_FILE = 32e6;
-const MOST_EDITED = 100_000;
+/** Characters of a text that can be edited: browsers need 6 kB for each line of it. A longer one is read as a file. */
+const MOST_EDITED = 500_000;
 /** Milliseconds after which the first frame is painted, if ever. */
 const PAINTED = 100;
 
@@ -24,6 +25,11 @@ const OWN_LINK = /^\s*https?:\S+\/(?:index\.html)?(#(?:text|z)=\S+)\s*$/;
 
 const changed = () => {
   const text = input.value;
+  if (text.length > MOST_EDITED) {
+    input.value = "";
+    open(new File([text], "text.log"), `The text is too long to be edited here (${(text.length / 1e6).toFixed(1)} MB): it is read as a file.`);
+    return;
+  }
   const link = text.match(OWN_LINK);
   if (link) {
     location.hash = link[1];
@@ -55,8 +61,8 @@ const put = (fragment) => {
 
 // Files
 
-/** @param {File | undefined} opened */
-const open = async (opened) => {
+/** @param {File | undefined} opened @param {string} [note]  what is said about it */
+const open = async (opened, note = "") => {
   if (!opened) return;
   if (!opened.size) {
     refuse(`${opened.name} is empty.`);
@@ -76,7 +82,7 @@ const open = async (opened) => {
   if (input.value) replace("");
   latest = opened;
   file.value = "";
-  change({ file: opened.name, note: "", filter: "", canFilter: false });
+  change({ file: opened.name, note, filter: "", canFilter: false });
   filter.value = "";
   input.placeholder = opened.name;
   find("start").hidden = true;
@@ -125,8 +131,9 @@ document.ondrop = (event) => {
   else open(dropped?.files[0]);
 };
 document.addEventListener("paste", (event) => {
-  const isField = event.target instanceof Element && event.target.closest("input, textarea, select, dialog");
-  const text = event.clipboardData?.getData("text/plain");
+  const text = event.clipboardData?.getData("text/plain") ?? "";
+  // The browser itself would take seconds for a long one.
+  const isField = event.target instanceof Element && event.target.closest("input, textarea, select, dialog") && !(event.target === input && text.length > MOST_EDITED);
   if (isField || !text) return;
   event.preventDefault();
   replace(text);

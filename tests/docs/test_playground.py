@@ -13,6 +13,7 @@ import sys
 import zlib
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import partial
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -740,6 +741,10 @@ def test_long_texts_are_read_beside_the_brick_and_can_be_cancelled(page: Page) -
     ]
     # Much more than is read to its end below, so that it is still being read when it is cancelled.
     page.type("\n".join(20 * lines))
+    assert (page.input, page.text("note")) == (
+        "",
+        "The text is too long to be edited here (0.7 MB): it is read as a file.",
+    )
     page.wait(lambda: page.is_shown("progress"))
     # The brick plays on meanwhile, and what was read is shown as it comes.
     button = "document.querySelector('[data-button=right]')"
@@ -761,6 +766,25 @@ def test_long_texts_are_read_beside_the_brick_and_can_be_cancelled(page: Page) -
     page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=c]").click()
     page.wait(lambda: "frame_1[16]" in page.text("c"))
     page.browser.find_element(By.CSS_SELECTOR, "#tabs [data-tab=lesson]").click()
+
+
+def is_said(page: Page, sentence: str) -> bool:
+    """Whether the headline is this one."""
+    return page.text("sentence") == sentence
+
+
+def test_a_long_log_is_read_quickly(page: Page) -> None:
+    lines = ["Sent 0x|08:00|2A:00|00|04:00|81:01:60|", "Recv 0x|07:00|2A:00|02|66:66:F6:40|"]
+    # Twice the milliseconds that a part and all of it may take.
+    for count, first, whole in ((300, 2000, 2000), (5100, 3000, 16000)):
+        page.read(TONE)
+        page.type("\n".join(lines * (count // 2)))
+        begun = page.run("return performance.now()")
+        page.wait(lambda: "UI_READ" in page.text("tree"))
+        assert page.run("return performance.now()") - begun < first
+        sentence = f"A log of {count:,} frames: {count // 2:,} commands and {count // 2:,} replies."
+        page.wait(partial(is_said, page, sentence))
+        assert page.run("return performance.now()") - begun < whole
 
 
 # A real brick

@@ -282,7 +282,10 @@ _FORMAT_TYPE = Shape(
     {"format": (byte("of DATA_FORMAT"), lambda it: it[0]), "type": (ref("type_name"), lambda it: it[1].label)},
 )
 
-_KINDS = "a number, a text up to its zero, a text preceded by its length, or all the bytes that are left"
+_KINDS = (
+    "a number, a text up to its zero, a text preceded by its length, or all the bytes that are left"
+    " (`data`, or `listing`, a text)"
+)
 _FIELD = Shape(
     "a field of a system message",
     {

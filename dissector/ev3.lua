@@ -2506,7 +2506,8 @@ local DAISY = { names = { [160] = "DOWNSTREAM", [161] = "UPSTREAM", [162] = "INF
 
 local MOST_PER_COUNTER = 256
 local PAIRING = { patience = 3, least = 50000000, first = 10000000000,
-    unsure = "the pairing is unsure: several commands with its counter waited" }
+    unsure = "the pairing is unsure: several commands with its counter waited",
+    other_size = "the command requests {asked} of memory, but this reply has {size}" }
 
 -- Claims -------------------------------------------------------------------------------------------------------------
 --
@@ -2729,6 +2730,7 @@ local experts = {
     waiting = ProtoExpert.new("ev3.expert.waiting", "No reply to this command was seen so far", expert.group.SEQUENCE, expert.severity.NOTE),
     incomplete_file = ProtoExpert.new("ev3.expert.incomplete_file", "A file with another size than announced", expert.group.SEQUENCE, expert.severity.WARN),
     unsure = ProtoExpert.new("ev3.expert.unsure", "The pairing is unsure", expert.group.SEQUENCE, expert.severity.NOTE),
+    other_size = ProtoExpert.new("ev3.expert.other_size", "Another size than the command requests", expert.group.PROTOCOL, expert.severity.WARN),
     bootloader_fault = ProtoExpert.new("ev3.expert.bootloader_fault", "Bootloader fault on USB 3", expert.group.PROTOCOL, expert.severity.ERROR),
 }
 
@@ -3734,11 +3736,11 @@ do
         commands[#commands + 1] = count
     end
 
-    -- Tells whether a reply has the size that its command requested.
-    local function fits(message, command)
-        local type, sizes = message.type, reading.unsigned16(bodies[command], 0)
-        if type.carries ~= "direct" or type.is_error or not sizes then return true end
-        return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
+    -- Returns the bytes of memory that a direct reply must have by its command's body, nil for others.
+    function dialogues.asked_size(message, body)
+        local type, sizes = message.type, reading.unsigned16(body, 0)
+        if type.carries ~= "direct" or type.is_error or not sizes then return nil end
+        return sizes % (GLOBAL_MASK + 1)
     end
 
     -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
@@ -3768,7 +3770,8 @@ do
         local key, fitting = pending_key(message), {}
         local commands, longest = conversation.waiting[key] or {}, conversation.longest
         for index, command in ipairs(commands) do
-            if fits(message, command) then fitting[#fitting + 1] = index end
+            local size = dialogues.asked_size(message, bodies[command])
+            if not size or message.size - HEADER_SIZE == size then fitting[#fitting + 1] = index end
         end
         local found, is_unsure = fitting[1] or #commands, #fitting > 1 or not fitting[1] and #commands > 1
         if is_unsure then
@@ -4653,7 +4656,13 @@ do
                 set_generated(add(item, field.request_in, storage.number_of(request.place)))
                 set_generated(add(item, field.response_time, NSTime.new(seconds, request.delay - seconds * 1e9)))
             end
-            if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
+            local asked, size = request and dialogues.asked_size(message, request.body), message.size - HEADER_SIZE
+            if asked and asked ~= size then
+                local values = { asked = phrases.plural(asked, "byte"), size = size }
+                complain(target, "other_size", phrases.filled(PAIRING.other_size, values))
+            elseif request and request.is_unsure then
+                complain(target, "unsure", PAIRING.unsure)
+            end
         end
         local trouble = message.command and dialogues.trouble_at(place, is_new)
         if trouble then complain(target, "incomplete_file", trouble) end
@@ -6441,4 +6450,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 4b8dca458ecc2119
+-- Checksum of the lines above, by which a changed file is recognised: 6c012f9df2e85ebe

@@ -16,6 +16,7 @@ from collections.abc import Callable, Collection, Hashable
 from typing import Generic, NamedTuple, TypeVar
 
 from ev3proto.bounded import Budget, dropper
+from ev3proto.errors import counted
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, unpack_header
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MessageType
 
@@ -41,6 +42,9 @@ FIRST_PATIENCE_NS = 10_000_000_000
 
 UNSURE = "the pairing is unsure: several commands with its counter waited"
 """The note of a reply that several commands may have."""
+
+OTHER_SIZE = "the command requests {asked} of memory, but this reply has {size}"
+"""The note of a reply that does not have the memory which its command requests."""
 
 _CARRIES = tuple(dict.fromkeys(member.carries for member in MessageType))
 _NUMBERS = len(_CARRIES) * COUNTERS
@@ -118,11 +122,12 @@ class Answer(NamedTuple, Generic[T]):
 
     command: T
     is_sure: bool  # no other command may be the one that it answers
+    misfit: str = ""  # what is said of a reply with another size than the command requests
 
     @property
     def note(self) -> str | None:
-        """The note of the reply, if the pairing is unsure."""
-        return None if self.is_sure else UNSURE
+        """The note of the reply, if it has another size than requested or the pairing is unsure."""
+        return self.misfit or (None if self.is_sure else UNSURE)
 
 
 class _Waiting(NamedTuple, Generic[T]):
@@ -234,7 +239,8 @@ class Pairing(Generic[T]):
         if not self._is_ordered:
             is_sure = is_sure and number not in self._unsure
             self._unsure.update(fitting)
-        return Answer(self._forget(number), is_sure)
+        misfit = "" if fitting else OTHER_SIZE.format(asked=counted(waiting[number].size or 0, "byte"), size=size)
+        return Answer(self._forget(number), is_sure, misfit)
 
     def _in_time(self, fitting: list[int], time_ns: int | None) -> int | None:
         """Returns the oldest of some commands that was not sent too long ago; None if all were."""

@@ -43,6 +43,25 @@ def test_a_command_without_a_reply_is_a_warning(tshark: Tshark) -> None:
     assert warned.split() == [str(lost)]
 
 
+def test_a_reply_of_another_size_is_marked(tshark: Tshark) -> None:
+    """In the words of `decode`; one of the right size, an error, and a reply without its command are not."""
+    capture = Capture(RAW_IP)
+    stream = Connection(capture)
+    expected = {}
+    for counter, size in enumerate((0, 3, 4, 5)):
+        stream.send(voltage(counter))
+        reply = stream.receive(ev3proto.direct_reply(bytes(size), counter=counter).build())
+        if size != 4:
+            expected[reply] = [f"the command requests 4 bytes of memory, but this reply has {size}"]
+    stream.send(voltage(9))
+    stream.receive(bytes.fromhex("0300 0900 04"))
+    stream.receive(bytes.fromhex("0300 0A00 02"))
+    found = shown(tshark, capture, "-Y", "ev3.expert.other_size")
+    assert {number: said for number, (_, said) in found.items()} == expected
+    records = (each for each in ev3proto.read(tshark.folder / "hunting.pcap") if isinstance(each, ev3proto.Record))
+    assert {each.number: [each.note] for each in records if each.note} == expected
+
+
 READ = "99 1D {layer} {port} 00 00 01 {variable}"
 """INPUT_DEVICE.READY_SI of a port, into a variable."""
 

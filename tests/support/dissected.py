@@ -490,7 +490,7 @@ class Follower:
         if exchange.is_orphan:
             complaints.append("orphan")
         if exchange.note is not None:
-            complaints.append("unsure")
+            complaints.append("unsure" if "pairing" in exchange.note else "other_size")
         links: dict[str, Any] = {}
         if exchange.request is not None:
             index, asked, _ = self._asked.pop(id(exchange.request))

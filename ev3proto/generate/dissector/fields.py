@@ -197,5 +197,6 @@ EXPERTS = (
     Expert("waiting", "No reply to this command was seen so far", "SEQUENCE", "NOTE"),
     Expert("incomplete_file", "A file with another size than announced", "SEQUENCE", "WARN"),
     Expert("unsure", "The pairing is unsure", "SEQUENCE", "NOTE"),
+    Expert("other_size", "Another size than the command requests", "PROTOCOL", "WARN"),
     Expert("bootloader_fault", "Bootloader fault on USB 3", "PROTOCOL", "ERROR"),
 )

@@ -402,6 +402,7 @@ def _pairing() -> Iterator[str]:
         "least": pairing.LEAST_PATIENCE_NS,
         "first": pairing.FIRST_PATIENCE_NS,
         "unsure": pairing.UNSURE,
+        "other_size": pairing.OTHER_SIZE,
     }
     yield _assign("MOST_PER_COUNTER", pairing.MOST_PER_KEY)
     yield _assign("PAIRING", Table(named=rule))

@@ -136,11 +136,11 @@ do
         commands[#commands + 1] = count
     end
 
-    -- Tells whether a reply has the size that its command requested.
-    local function fits(message, command)
-        local type, sizes = message.type, reading.unsigned16(bodies[command], 0)
-        if type.carries ~= "direct" or type.is_error or not sizes then return true end
-        return message.size - HEADER_SIZE == sizes % (GLOBAL_MASK + 1)
+    -- Returns the bytes of memory that a direct reply must have by its command's body, nil for others.
+    function dialogues.asked_size(message, body)
+        local type, sizes = message.type, reading.unsigned16(body, 0)
+        if type.carries ~= "direct" or type.is_error or not sizes then return nil end
+        return sizes % (GLOBAL_MASK + 1)
     end
 
     -- Tells whether the reply to a command shows that both are ours: a direct reply has the requested length, or is an
@@ -170,7 +170,8 @@ do
         local key, fitting = pending_key(message), {}
         local commands, longest = conversation.waiting[key] or {}, conversation.longest
         for index, command in ipairs(commands) do
-            if fits(message, command) then fitting[#fitting + 1] = index end
+            local size = dialogues.asked_size(message, bodies[command])
+            if not size or message.size - HEADER_SIZE == size then fitting[#fitting + 1] = index end
         end
         local found, is_unsure = fitting[1] or #commands, #fitting > 1 or not fitting[1] and #commands > 1
         if is_unsure then

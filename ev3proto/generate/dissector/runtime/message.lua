@@ -334,7 +334,13 @@ do
                 set_generated(add(item, field.request_in, storage.number_of(request.place)))
                 set_generated(add(item, field.response_time, NSTime.new(seconds, request.delay - seconds * 1e9)))
             end
-            if request and request.is_unsure then complain(target, "unsure", PAIRING.unsure) end
+            local asked, size = request and dialogues.asked_size(message, request.body), message.size - HEADER_SIZE
+            if asked and asked ~= size then
+                local values = { asked = phrases.plural(asked, "byte"), size = size }
+                complain(target, "other_size", phrases.filled(PAIRING.other_size, values))
+            elseif request and request.is_unsure then
+                complain(target, "unsure", PAIRING.unsure)
+            end
         end
         local trouble = message.command and dialogues.trouble_at(place, is_new)
         if trouble then complain(target, "incomplete_file", trouble) end

@@ -36,6 +36,11 @@ class Words:
     message: str
     help: str
 
+    @property
+    def names(self) -> set[str]:
+        """The names of the parts."""
+        return set(_PART.findall(self.message + self.help))
+
     def filled(self, parts: Mapping[str, object]) -> tuple[str, str]:
         """Returns message and help with their parts."""
         return _filled(self.message, parts), _filled(self.help, parts)

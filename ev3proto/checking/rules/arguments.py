@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext, CheckedOperation
@@ -31,32 +31,51 @@ from ev3proto.tables.output import LETTERS, PORT_SETS
 def value_finding(operation: CheckedOperation, argument: Argument, judgement: Judgement) -> Finding:
     """Returns the finding about a constant."""
     wrong = judgement.wrong
-    return operation.finding_of(codes.OF_VALUES[wrong], argument, wrong, **_parts(argument, judgement))
+    parts = {name: part(argument, judgement) for name, part in _PARTS_OF[wrong].items()}
+    return operation.finding_of(codes.OF_VALUES[wrong], argument, wrong, **parts)
 
 
-def _parts(argument: Argument, judgement: Judgement) -> dict[str, object]:
-    """Returns the parts of the words about a constant."""
-    known, value, read = judgement.known, judgement.value, judgement.read
-    parameter, domain, accepted = known.parameter, known.domain, known.validated.numbers
-    kind, limits, most = parameter.type, RANGES.get(parameter.type), parameter.most or 0
-    ports = PORT_SETS[int(value)] if judgement.wrong is Wrong.MASK else ""
-    of_type = f"{limits.low} to {limits.high}" if limits is not None else "a text"
-    return {
-        "value": value,
-        "read": read,
-        "byte": f"0x{argument.raw[0]:02X}",
-        "kind": kind,
-        "type": f"{kind}, {of_type}",
-        "sized": kind if kind.size else None,
-        "legal": domain.choice if domain is not None else of_type,
-        "outside": domain.outside if domain is not None else "",
-        "accepted": f"{accepted[0]} to {accepted[-1]} as {known.validated.kind}" if accepted else "",
-        "ports": ports,
-        "letters": ", ".join(f"{LETTERS[letter]} for {letter}" for letter in ports.split("+") if letter),
-        "characters": counted(argument.length - 2, "character"),
-        "most": most - 1,
-        "over": argument.length - 1 - most,
-    }
+def _of_type(judgement: Judgement) -> str:
+    limits = RANGES.get(judgement.known.parameter.type)
+    return f"{limits.low} to {limits.high}" if limits is not None else "a text"
+
+
+def _legal(_: Argument, judgement: Judgement) -> str:
+    domain = judgement.known.domain
+    return domain.choice if domain is not None else _of_type(judgement)
+
+
+def _accepted(_: Argument, judgement: Judgement) -> str:
+    validated = judgement.known.validated
+    return f"{validated.numbers[0]} to {validated.numbers[-1]} as {validated.kind}" if validated.numbers else ""
+
+
+def _ports(_: Argument, judgement: Judgement) -> str:
+    return PORT_SETS[int(judgement.value)]
+
+
+_PARTS: dict[str, Callable[[Argument, Judgement], object]] = {
+    "value": lambda _, one: one.value,
+    "read": lambda _, one: one.read,
+    "byte": lambda argument, _: f"0x{argument.raw[0]:02X}",
+    "kind": lambda _, one: one.known.parameter.type,
+    "type": lambda _, one: f"{one.known.parameter.type}, {_of_type(one)}",
+    "sized": lambda _, one: one.known.parameter.type if one.known.parameter.type.size else None,
+    "legal": _legal,
+    "outside": lambda _, one: one.known.domain.outside if one.known.domain is not None else "",
+    "accepted": _accepted,
+    "ports": _ports,
+    "letters": lambda _, one: ", ".join(f"{LETTERS[each]} for {each}" for each in _ports(_, one).split("+")),
+    "characters": lambda argument, _: counted(argument.length - 2, "character"),
+    "most": lambda _, one: (one.known.parameter.most or 0) - 1,
+    "over": lambda argument, one: argument.length - 1 - (one.known.parameter.most or 0),
+}
+"""What the words about a constant name."""
+
+_PARTS_OF = {
+    wrong: {name: _PARTS[name] for name in code.words[wrong].names if name in _PARTS}
+    for wrong, code in codes.OF_VALUES.items()
+}
 
 
 _SHORT_FORMS = len(SHORT)

@@ -263,6 +263,17 @@ def argument_left_out(frame: bytes, rng: Random) -> Wrong:
 
 
 @slip
+def two_arguments_left_out(frame: bytes, rng: Random) -> Wrong:
+    found = [one for one in operations(frame) if len(one.arguments) > 1]
+    if not found:
+        return None
+    operation = rng.choice(found)
+    first, second = sorted(rng.sample(operation.arguments, 2), key=lambda one: one.offset)
+    without = changed(frame, second.offset, second.length)
+    return changed(without, first.offset, first.length), operation.offset, operation.offset + operation.length
+
+
+@slip
 def argument_twice(frame: bytes, rng: Random) -> Wrong:
     found = argument(frame, rng)
     if found is None:
@@ -406,6 +417,13 @@ SLIPS |= {
 def byte_lost(frame: bytes, rng: Random) -> Wrong:
     at = rng.randrange(2, len(frame))
     return changed(frame, at, 1, is_counted=False), at - 1, at + 1
+
+
+@slip
+def digit_wrong(frame: bytes, rng: Random) -> Wrong:
+    at = rng.randrange(4, len(frame))
+    other = frame[at] ^ rng.randrange(1, 16) << rng.choice((0, 4))
+    return changed(frame, at, 1, bytes((other,))), at, at + 1
 
 
 @slip

@@ -12,11 +12,13 @@ from ev3proto import check
 
 LESS = {
     "argument_left_out": 0.6,  # which of several numbers it was, the others may not tell
+    "two_arguments_left_out": 0.1,  # the same, twice
     "argument_twice": 0.7,
     "neighbours_swapped": 0.3,  # many are right in another sense
     "raw_always": 0.0,  # small numbers look like others
     "byte_lost": 0.3,
     "byte_doubled": 0.7,
+    "digit_wrong": 0.5,  # a digit of a value is another value
     "system_field_left_out": 0.0,
     "prefix_of_hex_forgotten": 0.4,  # whether 0A is itself, or 10 in decimal
 }

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from support import greatest
 
-MOST_SECONDS = 0.3
-"""CPU seconds until the battery is answered."""
+MOST_SECONDS = 0.4
+"""CPU seconds until the battery is answered; the slowest handler takes half of it."""
 
 MOST_MEMORY = 200 << 10
 """KiB of the whole process."""

@@ -94,7 +94,7 @@ def captured(data: bytes) -> str:
         if isinstance(event, Skipped):
             said.append(event.reason)
         elif isinstance(event, Record) and (problem := faults.of(event, is_text=False)) is not None:
-            said.append(problem.message)
+            said += [problem.message, event.note or ""]
     return str(said)
 
 

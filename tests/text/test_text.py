@@ -131,7 +131,7 @@ def test_a_dialogue_says_why_a_command_was_refused() -> None:
     assert refused("08002a00000500810161") == "error (E205: VALUE is GV(1), and must start at a multiple of 4)"
     assert refused("08002a00000400810160") == "error"
     assert refused("06002a00000000fe") == "error"
-    assert refused("08002a00000400810160", "02") == "ok"
+    assert refused("06002a0000000001", "02") == "ok"
 
 
 def test_readings_of_devices_are_described() -> None:

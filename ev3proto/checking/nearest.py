@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import lru_cache
+from itertools import accumulate, takewhile
+from operator import ne
 from typing import NamedTuple
 
 from ev3proto.checking import codes
@@ -378,26 +380,30 @@ class _Search:
         """Yields the frame with the memory that its operations use, and with a reply if they have results."""
         base = _OTHER_LENGTH if frame_size(frame) != len(frame) else 0.0
         whole = with_length(frame[LENGTH_FIELD:])
-        new = _with_memory(whole, self._dialect)
-        *sizes, is_exact = _needed_memory(whole, self._dialect) or NO_MEMORY
-        asked = read_memory(frame)
-        at, end, guess = HEADER_SIZE, COMMAND_HEADER_SIZE, 0 if is_exact else MEMORY_SIZE
-        words = *(counted(size, "byte") for size in sizes), *asked
-        edit = Edit("memory-size", at, end, new[at:end], words, guess=guess)
+        needed = _needed_memory(whole, self._dialect) or NO_MEMORY
         message = read_last(whole, self._dialect)
-        results = [one for one in message.operations if one.has_outputs] if isinstance(message, DirectCommand) else []
-        if new != whole:
-            yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
-        elif is_exact and not (results and asked[0] > sizes[0] == 0):
-            less = write_memory(*sizes)
-            if sum(one != other for one, other in zip(less.hex(), whole[at:end].hex(), strict=True)) == 1:
-                new = whole[:at] + less + whole[end:]
-                yield _Candidate((edit,), _DIGIT_OF_MEMORY + base, self._read(new), new)
-        if frame[TYPE_AT] == MessageType.DIRECT_COMMAND_NO_REPLY and results and sizes[0]:
+        operations = message.operations if isinstance(message, DirectCommand) else ()
+        storing = next((one.full_name for one in operations if one.has_outputs), None)
+        yield from self._with_sizes(whole, needed, base, has_results=storing is not None)
+        if frame[TYPE_AT] == MessageType.DIRECT_COMMAND_NO_REPLY and storing is not None and needed.globals:
             reply = bytes((MessageType.DIRECT_COMMAND_REPLY,))
-            edit = Edit("no-reply", TYPE_AT, HEADER_SIZE, reply, (results[0].full_name,))
+            edit = Edit("no-reply", TYPE_AT, HEADER_SIZE, reply, (storing,))
             new = whole[:TYPE_AT] + reply + whole[HEADER_SIZE:]
             yield _Candidate((edit,), SLIPS[edit.kind].cost + base, self._read(new), new)
+
+    def _with_sizes(self, frame: bytes, needed: Memory, base: float, *, has_results: bool) -> Iterator[_Candidate]:
+        """Yields the frame with more memory, or with less if one digit is wrong and no result may be meant for it."""
+        (shared, local, is_exact), asked = needed, read_memory(frame)
+        at, end = HEADER_SIZE, COMMAND_HEADER_SIZE
+        new, price = _with_memory(frame, self._dialect), SLIPS["memory-size"].cost
+        if new == frame:
+            new, price = frame[:at] + write_memory(shared, local) + frame[end:], _DIGIT_OF_MEMORY
+            is_meant = has_results and asked[0] > shared == 0
+            if is_meant or not is_exact or sum(map(ne, new.hex(), frame.hex())) != 1:
+                return
+        words = counted(shared, "byte"), counted(local, "byte"), *asked
+        edit = Edit("memory-size", at, end, new[at:end], words, guess=0 if is_exact else MEMORY_SIZE)
+        yield _Candidate((edit,), price + base, self._read(new), new)
 
     def _with_code(self, frame: bytes) -> Iterator[_Candidate]:
         code = CommandCode(frame, self._dialect)
@@ -405,8 +411,6 @@ class _Search:
         is_clean = max(costs, default=0.0) < _SUSPICIOUS
         for number in _suspicious(code, costs):
             start, reading = code.first[number]
-            if sum(one.cost - one.rarity for _, one in code.first[:number]) > _MOST + _LESS_WITH_MEMORY:
-                continue  # which no edit here explains
             for edit in operation_edits(code, start, reading):
                 if self._unread <= 0:
                     return
@@ -476,7 +480,10 @@ def _suspicious(code: CommandCode, costs: list[float]) -> Iterable[int]:
     numbers = set(range(first, min(bad[-1], first + _MOST_OPERATIONS) + 1))
     if code.first and code.first[-1][1].is_fault:
         numbers |= set(range(max(last - 3, 0), last + 1))
-    return sorted(numbers, reverse=True)
+    # An edit explains nothing that is before it.
+    doubts = accumulate((one.cost - one.rarity for _, one in code.first), initial=0.0)
+    explained = sum(1 for _ in takewhile((_MOST + _LESS_WITH_MEMORY).__ge__, doubts))
+    return sorted((number for number in numbers if number < explained), reverse=True)
 
 
 def _needed_memory(frame: bytes, dialect: str) -> Memory | None:
@@ -502,15 +509,15 @@ def _with_memory(frame: bytes, dialect: str, *, keeps_locals: bool = True) -> by
 def _suggestion(judged: _Judged, *, is_clear: bool) -> Suggestion:
     edits, frame = judged.candidate.edits, judged.candidate.frame
     first = edits[0]
-    message = SLIPS[first.kind].sentence.format(*first.words)
-    if first.kind == "missing" and any(edit.guess for edit in edits) and len(edits) > 1:
-        message += "; so is {} of {}".format(*edits[1].words)
-    elif len(edits) > 1:
-        message += f"; the same in {len(edits) - 1} more place{'s' if len(edits) > 2 else ''}"
     unknown: list[tuple[int, int]] = []
     moved = 0
     for edit in edits:
-        unknown += [(edit.at + moved, edit.guess)] if edit.guess else []
+        if edit.guess:
+            unknown.append((edit.at + moved, edit.guess))
         moved += len(edit.new) - edit.end + edit.at
+    message = SLIPS[first.kind].sentence.format(*first.words)
+    if len(edits) > 1:
+        more = f"the same in {counted(len(edits) - 1, 'more place')}"
+        message += "; so is {} of {}".format(*edits[1].words) if unknown else f"; {more}"
     is_sure = is_clear and not unknown and judged.doubt <= SURE and first.kind not in CHOICES
     return Suggestion(first.kind, first.at, first.end - first.at, message, frame, tuple(unknown), is_sure)

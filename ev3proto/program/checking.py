@@ -108,11 +108,11 @@ class _Check:
         """Returns the finding for the place where the firmware's validator stops."""
         if at == SIZE_AT:
             return codes.DAMAGED.at(at, 0, reason=why)
-        steps = (step for part in self._program.objects for step in part.operations)
-        operation = next((step for step in steps if step.offset == at), None)
+        objects = self._program.objects
+        operation = next((step for part in objects for step in part.operations if step.offset == at), None)
         # The reason why it cannot be read says more than the validator's.
-        fault = next((part.fault for part in self._program.objects if part.fault and part.fault.offset == at), None)
-        parts = {"object": len(self._walk.objects), "reason": fault.reason if fault is not None else why}
+        reasons = {part.fault.offset: part.fault.reason for part in objects if part.fault is not None}
+        parts = {"object": len(self._walk.objects), "reason": reasons.get(at, why)}
         if operation is None:
             return codes.REFUSED.at(at, 1, operation=f"0x{self._image[at]:02X}", **parts)
         key, name = "newer" if operation.declaration.is_newer else "", operation.full_name

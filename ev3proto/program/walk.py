@@ -71,17 +71,9 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
     """
     stated, version, count, _ = PACKED_HEADER.unpack_from(image, SIZE_AT)
     at = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
-    refused = (
-        HeaderReason.EMPTY
-        if not count
-        else HeaderReason.SMALL
-        if stated < at
-        else HeaderReason.SHORT
-        if len(image) < stated
-        else None
-    )
-    if refused is not None:
-        return Walk(False, SIZE_AT, refused.value.format(stated=stated, count=count, size=len(image)))
+    faults = {HeaderReason.EMPTY: not count, HeaderReason.SMALL: stated < at, HeaderReason.SHORT: len(image) < stated}
+    for reason in [one for one, is_so in faults.items() if is_so]:
+        return Walk(False, SIZE_AT, reason.value.format(stated=stated, count=count, size=len(image)))
     step = validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION).step
     data = image + _AFTER_IMAGE
     objects: list[ObjectRead] = []

@@ -291,17 +291,19 @@ class Writer(OperationWriter):
 
     def argument(self, argument: Argument) -> str:
         """Writes one argument of the current object."""
-        value, raw, parameter = argument.value, argument.raw, argument.parameter
         if argument.is_variable:
             return self._variable(argument)
         if argument.kind == TEXT:
             return self._text(argument)
         if argument.form.handle or argument.form.address:
-            return _bytes(raw)
-        if isinstance(value, float):
-            return self._float(raw)
-        assert isinstance(value, int)
-        if argument.kind == JUMP or integer(value, self.rules) != raw:
+            return _bytes(argument.raw)
+        if isinstance(argument.value, float):
+            return self._float(argument.raw)
+        return self._whole(argument, int(argument.value))
+
+    def _whole(self, argument: Argument, value: int) -> str:
+        parameter = argument.parameter
+        if argument.kind == JUMP or integer(value, self.rules) != argument.raw:
             return self.number(argument, str(value))
         if parameter.enum is not None:
             symbol = parameter.enum.name_of(value)

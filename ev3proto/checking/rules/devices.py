@@ -96,15 +96,14 @@ def _waits_for_files(operations: tuple[CheckedOperation, ...]) -> Iterator[Findi
 
 def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footprint]]) -> Iterator[Finding]:
     assert isinstance(message, DirectCommand)
+    room = message.global_size if message.wants_reply else 0
     # More memory than that is a finding of its own.
-    if not message.wants_reply or message.global_size >= max(place.end for _, place in shared) + _FLOAT:
+    if room >= max(place.end for _, place in shared) + _FLOAT:
         return
     taken = Taken((place.start, place.end) for _, place in shared)
     for operation, place in shared:
-        end = place.start + _FLOAT
-        is_byte = place.facts.is_written and place.size == 1 and not place.start % _FLOAT
-        if not is_byte or operation.name not in _LARGER:
-            continue
-        if end <= message.global_size and not taken.has_some_of(place.start + 1, end):
-            parts = {"first": place.start + 1, "last": end - 1, "larger": _LARGER[operation.name]}
+        first, end = place.start + 1, place.start + _FLOAT
+        is_byte = operation.name in _LARGER and place.facts.is_written and place.size == 1
+        if is_byte and not place.start % _FLOAT and end <= room and not taken.has_some_of(first, end):
+            parts = {"first": first, "last": end - 1, "larger": _LARGER[operation.name]}
             yield operation.finding_of(codes.PARTLY_WRITTEN, place.argument, **parts)

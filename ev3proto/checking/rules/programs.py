@@ -41,7 +41,7 @@ _PAIR = 2
 def _slots(operations: tuple[CheckedOperation, ...], *, has_jumps: bool) -> Iterator[Finding]:
     loaded: set[int | None] = set()
     for place, operation in enumerate(operations):
-        slot = operation.arguments[0] if operation.arguments else None
+        slot = next(iter(operation.arguments), None)
         number = whole_number(slot)
         if slot is not None and number == _MENU and operation.name in codes.SLOT_OF_MENU.words:
             yield operation.finding_of(codes.SLOT_OF_MENU, slot, operation.name)

@@ -2966,9 +2966,7 @@ do
             end
         end
         for _, row in ipairs(rows) do
-            if by_name[row.length] then
-                by_name[row.length].is_stated, operation.has_stated = true, true
-            end
+            if by_name[row.length] then by_name[row.length].is_stated, operation.has_stated = true, true end
             if row.reading then
                 by_name.TYPE.is_stated, by_name.MODE.is_stated, operation.has_stated = true, true, true
             end
@@ -3200,9 +3198,7 @@ do
     function reading.select_operation(text, at, set)
         local code = byte(text, at + 1)
         local operation, after = (set or instructions)[code], at + 1
-        if not operation then
-            return nil, at, opcode_reason(code), "unknown_opcode"
-        end
+        if not operation then return nil, at, opcode_reason(code), "unknown_opcode" end
         local commands = operation.commands
         if commands then
             local encoding, value
@@ -4171,9 +4167,7 @@ do
             local offset
             after, offset, reason, kind = read_arguments(selected, text, after, take_argument, run)
             local said = run.said
-            if not first then
-                first, phrase = selected, said
-            end
+            if not first then first, phrase = selected, said end
             names[#names + 1] = selected.name
             if steps then
                 steps[heading + 3] = after - at
@@ -4355,9 +4349,7 @@ do
     end
 
     local function show_direct_command(message, view)
-        if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, (phrases.finding("NO_MEMORY", {})))
-        end
+        if message.stop < COMMAND_HEADER_SIZE then return cut_off(message, view, (phrases.finding("NO_MEMORY", {}))) end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
             local asked = add_le(view.item, field.memory_sizes, range)
@@ -4479,9 +4471,7 @@ do
     local function subject_text(message, place)
         local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
-        if transfer and transfer.path ~= "" and not is_first then
-            return " " .. phrases.transfer_text(transfer)
-        end
+        if transfer and transfer.path ~= "" and not is_first then return " " .. phrases.transfer_text(transfer) end
         return fields_text(message)
     end
 
@@ -4606,8 +4596,7 @@ do
         return format("message of unknown type 0x%02X", code)
     end
 
-    local SHOW_COMMAND =
-        { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
+    local SHOW_COMMAND = { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
     -- Tells whether a fault in the captured beginning of a frame is real: with zeros for the rest, it is the same.
@@ -5793,9 +5782,7 @@ do
         local before = stream.list or {}
         for index, start in ipairs(stream.starts or {}) do
             local stop = stream.starts[index + 1] or #stream.left
-            if stop > place then
-                list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0)
-            end
+            if stop > place then list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0) end
         end
         list[#list + 1], starts[#starts + 1] = number, math.max(#stream.left - place, 0)
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
@@ -5935,8 +5922,7 @@ do
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step =
-                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
+            local after, _, lost, step = streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
             size = #text - after
             if stream then
                 if size > 0 then
@@ -6450,4 +6436,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 6c012f9df2e85ebe
+-- Checksum of the lines above, by which a changed file is recognised: 851bc009b2edc4b7

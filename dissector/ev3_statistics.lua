@@ -151,9 +151,7 @@ end
 local function file_of(survey, message)
     local key = message.connection .. " " .. message.path
     local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
-    if is_begin or not survey.open[key] then
-        survey.open[key] = { path = message.path, pieces = {} }
-    end
+    if is_begin or not survey.open[key] then survey.open[key] = { path = message.path, pieces = {} } end
     return survey.open[key]
 end
 
@@ -387,4 +385,4 @@ function script.init()
         if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 6e652b95e148db1a
+-- Checksum of the lines above, by which a changed file is recognised: e09484a1b4713ce9

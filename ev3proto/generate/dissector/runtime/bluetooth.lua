@@ -57,9 +57,7 @@ do
         local before = stream.list or {}
         for index, start in ipairs(stream.starts or {}) do
             local stop = stream.starts[index + 1] or #stream.left
-            if stop > place then
-                list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0)
-            end
+            if stop > place then list[#list + 1], starts[#starts + 1] = before[index], math.max(start - place, 0) end
         end
         list[#list + 1], starts[#starts + 1] = number, math.max(#stream.left - place, 0)
         stream.left, stream.list, stream.starts = sub(text, place + 1), list, starts
@@ -199,8 +197,7 @@ do
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step =
-                streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
+            local after, _, lost, step = streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
             size = #text - after
             if stream then
                 if size > 0 then

@@ -146,9 +146,7 @@ do
             end
         end
         for _, row in ipairs(rows) do
-            if by_name[row.length] then
-                by_name[row.length].is_stated, operation.has_stated = true, true
-            end
+            if by_name[row.length] then by_name[row.length].is_stated, operation.has_stated = true, true end
             if row.reading then
                 by_name.TYPE.is_stated, by_name.MODE.is_stated, operation.has_stated = true, true, true
             end

@@ -33,9 +33,7 @@ do
     end
 
     local function show_direct_command(message, view)
-        if message.stop < COMMAND_HEADER_SIZE then
-            return cut_off(message, view, (phrases.finding("NO_MEMORY", {})))
-        end
+        if message.stop < COMMAND_HEADER_SIZE then return cut_off(message, view, (phrases.finding("NO_MEMORY", {}))) end
         if view.item then
             local range = bytes_between(view, HEADER_SIZE, COMMAND_HEADER_SIZE)
             local asked = add_le(view.item, field.memory_sizes, range)
@@ -157,9 +155,7 @@ do
     local function subject_text(message, place)
         local transfer = dialogues.transfer_at(place)
         local is_first = message.command.transfer == "begin" and message.type.is_command
-        if transfer and transfer.path ~= "" and not is_first then
-            return " " .. phrases.transfer_text(transfer)
-        end
+        if transfer and transfer.path ~= "" and not is_first then return " " .. phrases.transfer_text(transfer) end
         return fields_text(message)
     end
 
@@ -284,8 +280,7 @@ do
         return format("message of unknown type 0x%02X", code)
     end
 
-    local SHOW_COMMAND =
-        { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
+    local SHOW_COMMAND = { direct = show_direct_command, system = show_system_message, daisy = show_daisy_command }
     local SHOW_REPLY = { direct = show_direct_reply, system = show_system_message, daisy = show_daisy_reply }
 
     -- Tells whether a fault in the captured beginning of a frame is real: with zeros for the rest, it is the same.

@@ -218,9 +218,7 @@ do
             local offset
             after, offset, reason, kind = read_arguments(selected, text, after, take_argument, run)
             local said = run.said
-            if not first then
-                first, phrase = selected, said
-            end
+            if not first then first, phrase = selected, said end
             names[#names + 1] = selected.name
             if steps then
                 steps[heading + 3] = after - at

@@ -144,9 +144,7 @@ do
     function reading.select_operation(text, at, set)
         local code = byte(text, at + 1)
         local operation, after = (set or instructions)[code], at + 1
-        if not operation then
-            return nil, at, opcode_reason(code), "unknown_opcode"
-        end
+        if not operation then return nil, at, opcode_reason(code), "unknown_opcode" end
         local commands = operation.commands
         if commands then
             local encoding, value

@@ -132,9 +132,7 @@ end
 local function file_of(survey, message)
     local key = message.connection .. " " .. message.path
     local is_begin = message.is_command and (message.names[1] or ""):find("^BEGIN_")
-    if is_begin or not survey.open[key] then
-        survey.open[key] = { path = message.path, pieces = {} }
-    end
+    if is_begin or not survey.open[key] then survey.open[key] = { path = message.path, pieces = {} } end
     return survey.open[key]
 end
 

@@ -3342,18 +3342,47 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
+    -- How the values of a template about a constant are written, by their names.
+    local PARTS
+
+    local function value_of(about, name)
+        local value = about[name]
+        if value == nil and about.parameter then return PARTS[name](about) end
+        return value
+    end
+
+    -- The pieces of a template: texts at odd numbers; at even ones names, or words in brackets, which are about a value
+    -- that may be lacking.
+    local pieces_of = made_late(function(template)
+        local pieces, optional = {}, {}
+        local plain = gsub(template, "%[(.-{([%w_]+)}.-)%]", function(words, name)
+            optional[#optional + 1] = { words = words, name = name }
+            return "{" .. #optional .. "}"
+        end)
+        for text, name in (plain .. "{}"):gmatch("([^{]*){([%w_]*)}") do
+            pieces[#pieces + 1], pieces[#pieces + 2] = text, optional[tonumber(name)] or name
+        end
+        return pieces
+    end)
+
     -- Returns a template with values for its names in braces.
-    function phrases.filled(template, values)
-        return (gsub(template, "{(%w+)}", values))
+    function phrases.filled(template, about)
+        local pieces = { table.unpack(pieces_of[template]) }
+        for index = 2, #pieces - 1, 2 do
+            local name = pieces[index]
+            if type(name) == "table" then
+                pieces[index] = value_of(about, name.name) and phrases.filled(name.words, about) or ""
+            else
+                pieces[index] = value_of(about, name)
+            end
+        end
+        return concat(pieces)
     end
 
     -- Returns what `ev3proto check` says, by the key of its words, and its code; but not what the brick does next.
-    function phrases.finding(key, values)
+    function phrases.finding(key, about)
         local code, words = FINDINGS[key][1], FINDINGS[key][2]
-        local get = type(values) == "table" and function(name) return values[name] end or values
-        -- Words in brackets are about a value that may be lacking.
-        words = gsub(words, "%[(.-{([%w_]+)}.-)%]", function(part, name) return get(name) and part or "" end)
-        return phrases.filled(words, values) .. " (" .. code .. ")", code
+        return phrases.filled(words, about) .. " (" .. code .. ")", code
     end
 
     -- Returns the same about an operation or a system command that cannot be read, by the key of the reason.
@@ -3456,14 +3485,16 @@ do
     -- The same for a whole number, and the number that the brick reads instead.
     local function of_whole(parameter, value)
         local limits = parameter.limits
-        if not limits or parameter.is_unsigned and value >= limits[1] - 1 and value <= limits[2] * 2 + 1 then
+        if not limits then return nil end
+        local low, high = limits[1], limits[2]
+        if parameter.is_unsigned and value >= low - 1 and value <= high * 2 + 1 then
             return nil
-        elseif value == limits[1] - 1 then
-            return "NAN"
-        elseif not is_outside(value, limits) then
+        elseif value >= low and value <= high then
             return of_tables(parameter, value)
+        elseif value == low - 1 then
+            return "NAN"
         end
-        local span = limits[2] * 2 + 2
+        local span = high * 2 + 2
         local read = (value + span / 2) % span - span / 2
         if value < 0 or value >= span then return "TRUNCATED", read end
         return of_tables(parameter, read) or "NEGATIVE", read
@@ -3476,9 +3507,7 @@ do
             if encoding.is_long then return of_tables(parameter, value) end
             return value ~= 0 and not parameter.length and "WHOLE" or nil
         end
-        local refused = of_first(parameter, value)
-        if refused then return refused end
-        return of_whole(parameter, value)
+        return parameter.accepted and of_first(parameter, value) or of_whole(parameter, value)
     end
 
     -- Returns what is wrong with a constant, as a key of FINDINGS, and the number that the brick reads instead; nil if
@@ -3509,29 +3538,30 @@ do
         return parameter.is_float and encoding.is_long and not find(text, "[^%d-]") and text .. ".0" or text
     end
 
-    -- How the values in the words about a constant are written, by their names, if they are not in `about`.
-    local PARTS = {
-        value = function(about) return spelled(about.parameter, about.encoding, about.value) end,
-        read = function(about) return about.read and format("%d", about.read) end,
+    PARTS = {
+        name = function(about) return about.parameter.name end,
+        kind = function(about) return TYPE_NAMES[about.parameter.type] end,
+        most = function(about) return about.parameter.most end,
+        ports = function(about) return PORT_SETS[about.constant] end,
+        value = function(about) return spelled(about.parameter, about.encoding, about.constant) end,
+        read = function(about) return about.meant and format("%d", about.meant) end,
         type = function(about) return about.parameter.limits.text end,
         accepted = function(about) return about.parameter.accepted.named end,
         outside = function(about) return about.parameter.outside[1] end,
-        byte = function(about) return format("0x%02X", about.byte) end,
-        characters = function(about) return phrases.plural(#about.value, "character") end,
+        byte = function(about) return format("0x%02X", about.first) end,
+        characters = function(about) return phrases.plural(#about.constant, "character") end,
     }
 
     -- Returns what `ev3proto check` says of a constant, and its code; nil if it says nothing.
-    function phrases.misuse(parameter, encoding, value, owner, byte_code)
-        local wrong, read = phrases.judge(parameter, encoding, value)
+    function phrases.misuse(parameter, encoding, value, owner, first)
+        local wrong, meant = phrases.judge(parameter, encoding, value)
         if not wrong then
             if not parameter.is_set or value ~= 0 then return nil end
             wrong = "NO_PORTS"
         end
-        local about = {
-            parameter = parameter, encoding = encoding, value = value, read = read, owner = owner, byte = byte_code,
-            name = parameter.name, kind = TYPE_NAMES[parameter.type], ports = PORT_SETS[value], most = parameter.most,
-        }
-        return phrases.finding(wrong, function(name) return PARTS[name] and PARTS[name](about) or about[name] end)
+        return phrases.finding(wrong, {
+            parameter = parameter, encoding = encoding, constant = value, meant = meant, owner = owner, first = first,
+        })
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -4039,8 +4069,9 @@ do
     -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
     -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
-    -- Nothing is said of what follows an OBJECT_END.
-    local function report(run, kind, at, text)
+    -- Nothing is said of what follows an OBJECT_END. Without a tree only the first variable beyond the memory is
+    -- reported; `is_again` marks others.
+    local function report(run, kind, at, text, is_again)
         if run.is_over then return end
         local steps, complaints = run.steps, run.complaints
         run.remark = run.remark or format("at offset %d: %s", at, text)
@@ -4048,10 +4079,9 @@ do
             local last = #steps
             steps[last + 1], steps[last + 2], steps[last + 3] = false, kind, text
         end
-        -- Without a tree only the first variable beyond the memory is reported.
-        if kind == "beyond_memory" and run.is_beyond then return end
-        run.is_beyond = run.is_beyond or kind == "beyond_memory"
-        complaints[#complaints + 1] = { kind = kind, text = text }
+        if is_again then return end
+        local last = #complaints
+        complaints[last + 1], complaints[last + 2] = kind, text
     end
 
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory.
@@ -4073,11 +4103,14 @@ do
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * reply_values.stated_length(parameter, run.stated, 1)
         end
-        if index + size <= asked then return end
-        report(run, "beyond_memory", at, (phrases.finding("BEYOND_" .. scope, {
+        local is_again = run.is_beyond
+        if index + size <= asked or is_again and not run.steps then return end
+        run.is_beyond = true
+        local said = phrases.finding("BEYOND_" .. scope, {
             name = parameter.name, scope = scope, asked = asked > 0 and plural(asked, "byte") .. " of" or "no",
             bytes = size == 1 and "byte " .. index or format("bytes %d to %d", index, index + size - 1),
-        })))
+        })
+        report(run, "beyond_memory", at, said, is_again)
     end
 
     -- Appends an argument to the line of its operation.
@@ -4227,8 +4260,9 @@ do
         if item then
             show_steps(shown, item, view.tvb, view.base)
         else
-            for _, complaint in ipairs(summary.complaints) do
-                complain(view.root, complaint.kind, complaint.text)
+            local complaints = summary.complaints
+            for index = 1, #complaints, 2 do
+                complain(view.root, complaints[index], complaints[index + 1])
             end
         end
         return summary.line, summary.after, summary.fault
@@ -6436,4 +6470,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 851bc009b2edc4b7
+-- Checksum of the lines above, by which a changed file is recognised: 539dac8988eef7eb

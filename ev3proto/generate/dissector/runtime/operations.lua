@@ -90,8 +90,9 @@ do
     -- arguments; what was `said` so far, and the number of arguments in it; the first `remark`, the `complaints` for no
     -- tree, whether a variable `is_beyond` the memory, and the `outputs`.
 
-    -- Nothing is said of what follows an OBJECT_END.
-    local function report(run, kind, at, text)
+    -- Nothing is said of what follows an OBJECT_END. Without a tree only the first variable beyond the memory is
+    -- reported; `is_again` marks others.
+    local function report(run, kind, at, text, is_again)
         if run.is_over then return end
         local steps, complaints = run.steps, run.complaints
         run.remark = run.remark or format("at offset %d: %s", at, text)
@@ -99,10 +100,9 @@ do
             local last = #steps
             steps[last + 1], steps[last + 2], steps[last + 3] = false, kind, text
         end
-        -- Without a tree only the first variable beyond the memory is reported.
-        if kind == "beyond_memory" and run.is_beyond then return end
-        run.is_beyond = run.is_beyond or kind == "beyond_memory"
-        complaints[#complaints + 1] = { kind = kind, text = text }
+        if is_again then return end
+        local last = #complaints
+        complaints[last + 1], complaints[last + 2] = kind, text
     end
 
     -- Checks the index of a variable: its alignment, and whether it is within the requested memory.
@@ -124,11 +124,14 @@ do
         if parameter.length and parameter.is_output and not encoding.handle then
             size = size * reply_values.stated_length(parameter, run.stated, 1)
         end
-        if index + size <= asked then return end
-        report(run, "beyond_memory", at, (phrases.finding("BEYOND_" .. scope, {
+        local is_again = run.is_beyond
+        if index + size <= asked or is_again and not run.steps then return end
+        run.is_beyond = true
+        local said = phrases.finding("BEYOND_" .. scope, {
             name = parameter.name, scope = scope, asked = asked > 0 and plural(asked, "byte") .. " of" or "no",
             bytes = size == 1 and "byte " .. index or format("bytes %d to %d", index, index + size - 1),
-        })))
+        })
+        report(run, "beyond_memory", at, said, is_again)
     end
 
     -- Appends an argument to the line of its operation.
@@ -278,8 +281,9 @@ do
         if item then
             show_steps(shown, item, view.tvb, view.base)
         else
-            for _, complaint in ipairs(summary.complaints) do
-                complain(view.root, complaint.kind, complaint.text)
+            local complaints = summary.complaints
+            for index = 1, #complaints, 2 do
+                complain(view.root, complaints[index], complaints[index + 1])
             end
         end
         return summary.line, summary.after, summary.fault

@@ -28,8 +28,6 @@ from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import GRANTED_GLOBALS, LENGTH_FIELD, MIN_LENGTH, REPORT_SIZES
 from ev3proto.tables.system import FLASH_SIZE, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
 
-"""Offset of the message type."""
-
 
 def check_envelope(context: CheckContext) -> Iterator[Finding]:
     """Checks length and type."""

@@ -11,18 +11,13 @@ const frameOf = (text) => {
   return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
 };
 
-const MOST_MISSING = 4;
-
 /**
- * Whether Python certainly reads these bytes as one frame, and says no more of it. It may take what is longer than its length says, or
- * much shorter, for something else, and says how much of a file came.
+ * Whether Python certainly reads these bytes as one frame, and says no more of it. It may take what is longer than its length says for
+ * several frames, and what is shorter for bytes that lost their zeros, and says how much of a file came.
  *
  * @param {any} message
  */
-const isSure = ({ type, length, hex, fields = {} }) => {
-  const missing = length + 2 - hex.length / 2;
-  return type && missing >= 0 && missing <= MOST_MISSING && fields.path === undefined;
-};
+const isSure = ({ type, length, hex, fields = {} }) => type && length + 2 === hex.length / 2 && fields.path === undefined;
 
 /** Returns what the page shows of a frame until Python has read it; null for any other text. @param {string} text */
 export const firstAnswer = (text) => {

@@ -70,6 +70,7 @@ def test_only_one_frame_in_hex_is_read(tmp_path: Path) -> None:
         "Sent 0x|08:00|2A:00|00|04:00|81:01:60|",
         "0e002a0080000094010182b80182e803\n0e002a0080000094010182b80182e803",
         "0c002a0080000094010182b80182e803",  # its length is too short: Python may see another frame behind it
+        "0700a4d500",  # its length is too long: Python sees a text that lost its zeros
         "",
     ]
     answers = first_answers(tmp_path, read + waiting)

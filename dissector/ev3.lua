@@ -3507,7 +3507,9 @@ do
             if encoding.is_long then return of_tables(parameter, value) end
             return value ~= 0 and not parameter.length and "WHOLE" or nil
         end
-        return parameter.accepted and of_first(parameter, value) or of_whole(parameter, value)
+        local refused = parameter.accepted and of_first(parameter, value)
+        if refused then return refused end
+        return of_whole(parameter, value)
     end
 
     -- Returns what is wrong with a constant, as a key of FINDINGS, and the number that the brick reads instead; nil if
@@ -6470,4 +6472,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 539dac8988eef7eb
+-- Checksum of the lines above, by which a changed file is recognised: f9443fcaf6612f6b

@@ -191,7 +191,7 @@ def test_a_lesson_by_keyboard(page: Page) -> None:
     page.wait(lambda: any(sent.endswith("94010182700382e803") for sent in page.fact("sent")))
     # Motors run when that is allowed, and stop without a question.
     keyboard.write("OUTPUT_SPEED(0, A, 50)\nOUTPUT_START(0, A)")
-    page.wait(lambda: page.text("verdict") == "The brick takes it.")
+    page.wait(lambda: page.text("sentence") == "Sets the speed of motor A to 50 %, then starts motor A.")
     keyboard.push("#send")
     keyboard.agree("makes motors turn or stop")
     keyboard.push("#stop-motors")

@@ -95,6 +95,13 @@ def offered() -> list[str]:
         ("", "", "none", "", []),
         (TONE, "Plays 440 Hz for 1 s at volume 1 %.", "takes", "The brick takes it.", []),
         (
+            "0E 00 2A 00 80 00 00 94 01 01 82 B8 01 82 E8 03",
+            "Plays 440 Hz for 1 s at volume 1 %.",
+            "takes",
+            "The brick takes it.",
+            [],
+        ),
+        (
             TONE.replace("0E", "0F"),
             "Plays 440 Hz for 1 s at volume 1 %.",
             "refuses",
@@ -148,6 +155,13 @@ def offered() -> list[str]:
             "A reply that answers command 42: ok, with 4 bytes of memory.",
             "none",
             "The frame is cut off: its length field says that 8 bytes follow, but 7 do.",
+            [],
+        ),
+        (
+            "04 00 2A 00 05 9D",
+            "An error reply.",
+            "none",
+            "The frame ends before the command answered and the status.",
             [],
         ),
         (

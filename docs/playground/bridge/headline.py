@@ -66,13 +66,12 @@ def _frame(known: Headline) -> str:
 
 def _reply(known: Headline) -> str:
     assert known.exchange is not None
-    message = known.exchange.message
-    if message.type is None or not message.type.is_error:
-        return f"A reply that {deed(known.exchange)}."
-    done = (
-        f": command {message.counter} failed" if isinstance(message, DirectReply) else f" that {deed(known.exchange)}"
-    )
-    return f"An error reply{done}."
+    message, done = known.exchange.message, deed(known.exchange)
+    is_error = message.type is not None and message.type.is_error
+    name = "An error reply" if is_error else "A reply"
+    if is_error and isinstance(message, DirectReply):
+        return f"{name}: command {message.counter} failed."
+    return f"{name} that {done}." if done else f"{name}."
 
 
 def _many(name: str) -> Callable[[Headline], str]:

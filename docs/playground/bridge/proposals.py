@@ -96,7 +96,10 @@ def _of_line(line: str, frame: bytes | None) -> Iterator[tuple[str, bytes, str]]
     """Yields what can be done about a line: the kind of each change, the frame, and the line that it makes."""
     for start in (0, *(each.end() for each in re.finditer(r"\s+", line))):
         text = line[start:]
-        if frame in (None, _bytes_of(text)) and (found := list(_meant(text))):
+        data = _bytes_of(text)
+        if data is not None and _is_right(data):
+            return  # what its end may mean is not what was meant
+        if frame in (None, data) and (found := list(_meant(text))):
             yield from ((kind, made, line[:start] + as_hex(parse(made))) for kind, made in found)
             return
 

@@ -247,6 +247,9 @@ def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> Non
             page.wait(lambda: page.text("leds") == "LED_RED" and "OUTPUT_START" in page.text("answer"))
             assert in_sight(page) >= {*EFFECT, "answer", "sentence", "verdict"}, width
             assert not scrolls_sideways(browser)
+            # The names of motors can be read.
+            names = "return [...motors.querySelectorAll('select')].map((each) => each.clientWidth)"
+            assert min(page.run(names)) >= 60, width
             page.click("stop-motors")
             page.wait(lambda: "OUTPUT_STOP" in page.text("answer"))
     # It follows the window: with less room it is under the headline, with more beside the input again.

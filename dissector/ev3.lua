@@ -66,6 +66,8 @@ local MESSAGE_TYPES = {
     [0x08] = { name = "DAISY_REPLY", carries = "daisy" },
     [0x09] = { name = "DAISY_REPLY_ERROR", carries = "daisy", is_error = true },
 }
+-- Bytes 1 to 4 of a header. No message type is a special character of patterns.
+local HEADER_PATTERN = "[\0-\3]..[\0\128\1\129\2\4\3\5\10\138\8\9]"
 local NAMES = { message_types = {}, opcodes = {}, system_commands = {} }
 for number, declared in pairs(MESSAGE_TYPES) do
     NAMES.message_types[number] = declared.name
@@ -2377,71 +2379,72 @@ local READINGS = {
 --
 -- Request and reply have fields; statuses are the meanings of those other than SUCCESS.
 
-local SYSTEM = {
-    { number = 0x92, name = "BEGIN_DOWNLOAD", text = "Opens a file on the brick for writing and announces its size",
+local SYSTEM_COMMANDS = {
+    [0x92] = { name = "BEGIN_DOWNLOAD", text = "Opens a file on the brick for writing and announces its size",
         request = { { name = "size", kind = U32, filter = "file_len" }, { name = "path", kind = TEXT, filter = "file_name" },
             { name = "data", kind = BYTES, filter = "data", optional = true } },
-        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "begin", is_long = true,
+        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "begin", is_long = true, has_data = true,
         statuses = { [8] = "the file is complete: its size is 0, or this frame held all of it",
             [1] = "the file cannot be created: it is a folder, or the file system refuses the name",
             [9] = "there is not enough room for a file of that size, or the frame had more data than announced",
             [4] = "all handles are in use: earlier files were neither completed nor closed" } },
-    { number = 0x93, name = "CONTINUE_DOWNLOAD", text = "Writes the next piece of a file; the file closes itself when it is complete",
+    [0x93] = { name = "CONTINUE_DOWNLOAD", text = "Writes the next piece of a file; the file closes itself when it is complete",
         request = { { name = "handle", kind = U8, filter = "handle" }, { name = "data", kind = BYTES, filter = "data" } },
-        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "continue", is_long = true,
+        reply = { { name = "handle", kind = U8, filter = "handle" } }, transfer = "continue", is_long = true, has_data = true,
         statuses = { [8] = "the file is now complete and closed; bytes beyond its size are dropped",
             [1] = "no file is open under that handle: it is complete, closed, or was never opened",
             [10] = "the handle is known, but its file is not open" } },
-    { number = 0x94, name = "BEGIN_UPLOAD", text = "Opens a file on the brick for reading and fetches its first piece",
+    [0x94] = { name = "BEGIN_UPLOAD", text = "Opens a file on the brick for reading and fetches its first piece",
         request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "file_name" } },
         reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
             { name = "data", kind = BYTES, filter = "data" } },
         transfer = "begin", statuses = { [8] = "this reply holds the whole file", [1] = "no such file", [4] = "all handles are in use" } },
-    { number = 0x95, name = "CONTINUE_UPLOAD", text = "Fetches the next piece of a file",
+    [0x95] = { name = "CONTINUE_UPLOAD", text = "Fetches the next piece of a file",
         request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
-        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "data", kind = BYTES, filter = "data" } }, transfer = "continue",
+        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "data", kind = BYTES, filter = "data" } },
+        transfer = "continue",
         statuses = { [8] = "that was the last piece of the file", [2] = "the handle is known, but its file is not open",
             [1] = "no file is open under that handle" } },
-    { number = 0x96, name = "BEGIN_GETFILE", text = "Opens a file that may still be growing, such as a data log, and fetches its first piece",
+    [0x96] = { name = "BEGIN_GETFILE", text = "Opens a file that may still be growing, such as a data log, and fetches its first piece",
         request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "file_name" } },
         reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
             { name = "data", kind = BYTES, filter = "data" } },
         transfer = "begin",
         statuses = { [8] = "this reply holds all that the file has so far", [2] = "no such file", [1] = "all handles are in use" } },
-    { number = 0x97, name = "CONTINUE_GETFILE", text = "Fetches the next piece of a file that may still be growing",
+    [0x97] = { name = "CONTINUE_GETFILE", text = "Fetches the next piece of a file that may still be growing",
         request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
         reply = { { name = "size", kind = U32, filter = "file_len" }, { name = "handle", kind = U8, filter = "handle" },
             { name = "data", kind = BYTES, filter = "data" } },
         transfer = "continue",
         statuses = { [8] = "that was the last of what the file has so far", [2] = "the handle is known, but its file is not open",
             [1] = "no file is open under that handle" } },
-    { number = 0x98, name = "CLOSE_FILEHANDLE", text = "Closes an open file before its end",
+    [0x98] = { name = "CLOSE_FILEHANDLE", text = "Closes an open file before its end",
         request = { { name = "handle", kind = U8, filter = "handle" }, { name = "hash", kind = BYTES, filter = "hash", optional = true } },
-        reply = { { name = "handle", kind = U8, filter = "handle", optional = true } }, transfer = "close",
+        reply = { { name = "handle", kind = U8, filter = "handle", optional = true } }, transfer = "close", has_data = true,
         statuses = { [1] = "no file is open under that handle" } },
-    { number = 0x99, name = "LIST_FILES", text = "Lists a folder and fetches the first piece of the listing",
+    [0x99] = { name = "LIST_FILES", text = "Lists a folder and fetches the first piece of the listing",
         request = { { name = "max_bytes", kind = U16, filter = "max_bytes" }, { name = "path", kind = TEXT, filter = "path_name" } },
         reply = { { name = "list_size", kind = U32, filter = "list_size" }, { name = "handle", kind = U8, filter = "handle" },
             { name = "list", kind = LISTING, filter = "list" } },
         transfer = "begin", statuses = { [8] = "this reply holds the whole listing", [10] = "no such folder, or no free handle" } },
-    { number = 0x9A, name = "CONTINUE_LIST_FILES", text = "Fetches the next piece of a listing",
+    [0x9A] = { name = "CONTINUE_LIST_FILES", text = "Fetches the next piece of a listing",
         request = { { name = "handle", kind = U8, filter = "handle" }, { name = "max_bytes", kind = U16, filter = "max_bytes" } },
-        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "list", kind = LISTING, filter = "list" } }, transfer = "continue",
-        statuses = { [8] = "that was the last piece of the listing", [10] = "the handle holds no listing" } },
-    { number = 0x9B, name = "CREATE_DIR", text = "Creates a folder", request = { { name = "path", kind = TEXT, filter = "path_name" } },
-        reply = {}, statuses = { [5] = "it cannot be created: it exists, its parent does not, or permission is denied" } },
-    { number = 0x9C, name = "DELETE_FILE", text = "Deletes a file or an empty folder",
+        reply = { { name = "handle", kind = U8, filter = "handle" }, { name = "list", kind = LISTING, filter = "list" } },
+        transfer = "continue", statuses = { [8] = "that was the last piece of the listing", [10] = "the handle holds no listing" } },
+    [0x9B] = { name = "CREATE_DIR", text = "Creates a folder", request = { { name = "path", kind = TEXT, filter = "path_name" } }, reply = {},
+        statuses = { [5] = "it cannot be created: it exists, its parent does not, or permission is denied" } },
+    [0x9C] = { name = "DELETE_FILE", text = "Deletes a file or an empty folder",
         request = { { name = "path", kind = TEXT, filter = "path_name" } }, reply = {},
         statuses = { [5] = "it cannot be removed: it does not exist, is not empty, or permission is denied" } },
-    { number = 0x9D, name = "LIST_OPEN_HANDLES", text = "Asks which file handles are in use", request = {},
+    [0x9D] = { name = "LIST_OPEN_HANDLES", text = "Asks which file handles are in use", request = {},
         reply = { { name = "handles", kind = BYTES, filter = "handles" } }, statuses = {} },
-    { number = 0x9E, name = "WRITEMAILBOX", text = "Puts a message into a mailbox of the program that runs on the brick",
+    [0x9E] = { name = "WRITEMAILBOX", text = "Puts a message into a mailbox of the program that runs on the brick",
         request = { { name = "name_length", kind = U8, filter = "mailbox_length", counts = "name" },
             { name = "name", kind = COUNTED_TEXT, filter = "mailbox" },
             { name = "payload_length", kind = U16, filter = "payload_length", counts = "payload" },
             { name = "payload", kind = BYTES, filter = "payload", is_message = true } },
-        reply = {}, statuses = {} },
-    { number = 0x9F, name = "BLUETOOTHPIN", text = "Sends the PIN for a Bluetooth device (USB only)",
+        reply = {}, has_data = true, has_message = true, statuses = {} },
+    [0x9F] = { name = "BLUETOOTHPIN", text = "Sends the PIN for a Bluetooth device (USB only)",
         request = { { name = "mac_length", kind = U8, filter = "mac_length", counts = "mac" },
             { name = "mac", kind = COUNTED_TEXT, filter = "mac" },
             { name = "pin_length", kind = U8, filter = "pin_length", counts = "pin" },
@@ -2451,35 +2454,35 @@ local SYSTEM = {
             { name = "pin_length", kind = U8, filter = "pin_length", counts = "pin" },
             { name = "pin", kind = COUNTED_TEXT, filter = "pin" } },
         statuses = { [12] = "this works by USB only" } },
-    { number = 0xA0, name = "ENTERFWUPDATE", text = "Restarts the brick into its firmware updater", request = {}, reply = {}, statuses = {} },
-    { number = 0xA1, name = "SETBUNDLEID", text = "Sets the bundle identifier that the brick shows to Apple devices",
+    [0xA0] = { name = "ENTERFWUPDATE", text = "Restarts the brick into its firmware updater", request = {}, reply = {}, statuses = {} },
+    [0xA1] = { name = "SETBUNDLEID", text = "Sets the bundle identifier that the brick shows to Apple devices",
         request = { { name = "id", kind = TEXT, filter = "id" } }, reply = {}, statuses = {} },
-    { number = 0xA2, name = "SETBUNDLESEEDID", text = "Sets the bundle seed identifier that the brick shows to Apple devices",
+    [0xA2] = { name = "SETBUNDLESEEDID", text = "Sets the bundle seed identifier that the brick shows to Apple devices",
         request = { { name = "id", kind = TEXT, filter = "id" } }, reply = {}, statuses = {} },
-    { number = 0xF0, name = "BEGIN_DOWNLOAD_WITH_ERASE", text = "Erases a region of the flash memory and prepares to write it",
+    [0xF0] = { name = "BEGIN_DOWNLOAD_WITH_ERASE", text = "Erases a region of the flash memory and prepares to write it",
         request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
             { name = "image_size", kind = U32, filter = "image_size" } },
         reply = {}, is_bootloader = true, statuses = {} },
-    { number = 0xF1, name = "BEGIN_DOWNLOAD", text = "Prepares to write a region of the flash memory that is already erased",
+    [0xF1] = { name = "BEGIN_DOWNLOAD", text = "Prepares to write a region of the flash memory that is already erased",
         request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
             { name = "image_size", kind = U32, filter = "image_size" } },
         reply = {}, is_bootloader = true, statuses = {} },
-    { number = 0xF2, name = "DOWNLOAD_DATA", text = "Writes the next piece of the image",
-        request = { { name = "data", kind = BYTES, filter = "data" } }, reply = {}, is_bootloader = true, statuses = {} },
-    { number = 0xF3, name = "CHIP_ERASE", text = "Erases the whole flash memory", request = {}, reply = {}, is_bootloader = true, statuses = {} },
-    { number = 0xF4, name = "START_APP", text = "Leaves the updater and starts the firmware", request = {}, reply = {}, is_bootloader = true,
+    [0xF2] = { name = "DOWNLOAD_DATA", text = "Writes the next piece of the image",
+        request = { { name = "data", kind = BYTES, filter = "data" } }, reply = {}, is_bootloader = true, has_data = true, statuses = {} },
+    [0xF3] = { name = "CHIP_ERASE", text = "Erases the whole flash memory", request = {}, reply = {}, is_bootloader = true, statuses = {} },
+    [0xF4] = { name = "START_APP", text = "Leaves the updater and starts the firmware", request = {}, reply = {}, is_bootloader = true,
         statuses = {} },
-    { number = 0xF5, name = "GET_CHECKSUM", text = "Asks for the checksum of a region of the flash memory",
+    [0xF5] = { name = "GET_CHECKSUM", text = "Asks for the checksum of a region of the flash memory",
         request = { { name = "address", kind = U32, filter = "address", hexadecimal = true },
             { name = "image_size", kind = U32, filter = "image_size" } },
         reply = { { name = "checksum", kind = U32, filter = "checksum", hexadecimal = true } }, is_bootloader = true, statuses = {} },
-    { number = 0xF6, name = "GET_VERSION", text = "Asks for the versions of hardware and firmware", request = {},
+    [0xF6] = { name = "GET_VERSION", text = "Asks for the versions of hardware and firmware", request = {},
         reply = { { name = "hardware_version", kind = U32, filter = "hw_id", hexadecimal = true },
             { name = "firmware_version", kind = U32, filter = "fw_id", hexadecimal = true } },
         is_bootloader = true, statuses = {} },
 }
-for _, command in ipairs(SYSTEM) do
-    NAMES.system_commands[command.number] = command.name
+for number, command in pairs(SYSTEM_COMMANDS) do
+    NAMES.system_commands[number] = command.name
 end
 
 local STATUS = { names = { [0] = "SUCCESS", [1] = "UNKNOWN_HANDLE", [2] = "HANDLE_NOT_READY", [3] = "CORRUPT_FILE", [4] = "NO_HANDLES_AVAILABLE",
@@ -2766,20 +2769,16 @@ do
 
     local function found(address, kind)
         local bytes = {}
-        local function is_reached(index, value)
-            bytes[index] = format(kind.form, value)
-            return kind.make(concat(bytes, kind.between)) <= address
-        end
         for index = 1, kind.parts do
             bytes[index] = format(kind.form, 0)
         end
-        if not is_reached(1, 0) then return nil end
         for index = 1, kind.parts do
             local value = 0
             for bit = 7, 0, -1 do
-                if is_reached(index, value + 2 ^ bit) then value = value + 2 ^ bit end
+                bytes[index] = format(kind.form, value + 2 ^ bit)
+                if kind.make(concat(bytes, kind.between)) <= address then value = value + 2 ^ bit end
             end
-            is_reached(index, value)
+            bytes[index] = format(kind.form, value)
         end
         local text = concat(bytes, kind.between)
         return kind.make(text) == address and text
@@ -2833,7 +2832,7 @@ local function made_late(make)
     end })
 end
 
-local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
+local INSTRUCTION_SETS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
@@ -2920,20 +2919,11 @@ do
 
     -- Makes the list at the end of an operation; `declared` is the field of its elements.
     local function ready_list(parameter, row, declared)
-        local list = { is_count = row[3] == COUNT, elements_of = {} }
-        local types = { row.element }
-        list.element_type = row.element
-        if not TYPE_NAMES[row.element] then
-            types = { ARRAY_TYPED }
-            list.element_type = ARRAY_TYPED
-            for _, type in pairs(FORMAT_TYPES) do
-                types[#types + 1] = type
-            end
+        local function make(type)
+            return ready_elements(parameter, row, declared, type)
         end
-        for _, type in ipairs(types) do
-            list.elements_of[type] = ready_elements(parameter, row, declared, type)
-        end
-        return list
+        local type = TYPE_NAMES[row.element] and row.element or ARRAY_TYPED
+        return { is_count = row[3] == COUNT, element_type = type, elements_of = made_late(make) }
     end
 
     -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
@@ -3002,16 +2992,12 @@ do
         end
     end
 
-    -- System commands by number, with the fields of their messages.
-    SYSTEM_COMMANDS = {}
-    for _, command in ipairs(SYSTEM) do
+    for _, command in pairs(SYSTEM_COMMANDS) do
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
                 declared.field = field["system_" .. declared.filter]
-                command.has_message = command.has_message or declared.is_message
             end
         end
-        SYSTEM_COMMANDS[command.number] = command
     end
 end
 
@@ -3342,41 +3328,13 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
-    -- How the values of a template about a constant are written, by their names.
-    local PARTS
-
-    local function value_of(about, name)
-        local value = about[name]
-        if value == nil and about.parameter then return PARTS[name](about) end
-        return value
-    end
-
-    -- The pieces of a template: texts at odd numbers; at even ones names, or words in brackets, which are about a value
-    -- that may be lacking.
-    local pieces_of = made_late(function(template)
-        local pieces, optional = {}, {}
-        local plain = gsub(template, "%[(.-{([%w_]+)}.-)%]", function(words, name)
-            optional[#optional + 1] = { words = words, name = name }
-            return "{" .. #optional .. "}"
-        end)
-        for text, name in (plain .. "{}"):gmatch("([^{]*){([%w_]*)}") do
-            pieces[#pieces + 1], pieces[#pieces + 2] = text, optional[tonumber(name)] or name
-        end
-        return pieces
-    end)
-
-    -- Returns a template with values for its names in braces.
+    -- Returns a template with values for its names in braces. Words in brackets are about a value that may be lacking.
     function phrases.filled(template, about)
-        local pieces = { table.unpack(pieces_of[template]) }
-        for index = 2, #pieces - 1, 2 do
-            local name = pieces[index]
-            if type(name) == "table" then
-                pieces[index] = value_of(about, name.name) and phrases.filled(name.words, about) or ""
-            else
-                pieces[index] = value_of(about, name)
-            end
+        local function optional(words, name)
+            return about[name] and words or ""
         end
-        return concat(pieces)
+        if find(template, "[", 1, true) then template = gsub(template, "%[(.-{([%w_]+)}.-)%]", optional) end
+        return (gsub(template, "{([%w_]+)}", about))
     end
 
     -- Returns what `ev3proto check` says, by the key of its words, and its code; but not what the brick does next.
@@ -3439,21 +3397,15 @@ do
         return format("%d", value)
     end
 
-    local function flags_text(flags, value)
-        if value < 0 or value > 0xFF then return nil end
-        local names = {}
-        for bit = 0, 7 do
+    -- Returns the special meaning of a value, or the names of its flags. Wireshark itself shows other names.
+    function phrases.meaning_of(parameter, value)
+        local flags, names = parameter.flags, {}
+        if not flags then names[1] = parameter.special and parameter.special[value] end
+        for bit = 0, flags and value >= 0 and value <= 0xFF and 7 or -1 do
             local flag = 2 ^ bit
             if value % (2 * flag) >= flag then names[#names + 1] = flags[flag] or format("0x%02X", flag) end
         end
         return names[1] and "(" .. concat(names, "|") .. ")"
-    end
-
-    -- Returns the special meaning of a value, or the names of its flags. Wireshark itself shows other names.
-    function phrases.meaning_of(parameter, value)
-        if parameter.flags then return flags_text(parameter.flags, value) end
-        local meaning = parameter.special and parameter.special[value]
-        return meaning and "(" .. meaning .. ")"
     end
 
     -- Tells whether the tables allow a number for a parameter.
@@ -3540,7 +3492,8 @@ do
         return parameter.is_float and encoding.is_long and not find(text, "[^%d-]") and text .. ".0" or text
     end
 
-    PARTS = {
+    -- How the values of a template about a constant are written, by their names.
+    local PARTS = {
         name = function(about) return about.parameter.name end,
         kind = function(about) return TYPE_NAMES[about.parameter.type] end,
         most = function(about) return about.parameter.most end,
@@ -3553,6 +3506,7 @@ do
         byte = function(about) return format("0x%02X", about.first) end,
         characters = function(about) return phrases.plural(#about.constant, "character") end,
     }
+    local OF_CONSTANT = { __index = function(about, name) return PARTS[name] and PARTS[name](about) end }
 
     -- Returns what `ev3proto check` says of a constant, and its code; nil if it says nothing.
     function phrases.misuse(parameter, encoding, value, owner, first)
@@ -3561,9 +3515,9 @@ do
             if not parameter.is_set or value ~= 0 then return nil end
             wrong = "NO_PORTS"
         end
-        return phrases.finding(wrong, {
+        return phrases.finding(wrong, setmetatable({
             parameter = parameter, encoding = encoding, constant = value, meant = meant, owner = owner, first = first,
-        })
+        }, OF_CONSTANT))
     end
 
     -- Returns a value for a line: a text, a name, or a number with its unit.
@@ -3934,11 +3888,6 @@ do
         return mode and (parameter.reading == "si" or mode.agrees) and mode[parameter.number] or nil
     end
 
-    -- Tells whether an argument is a constant on which the meaning of another one depends.
-    function reply_values.is_stated(parameter, encoding)
-        return parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
-    end
-
     -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
     -- output.
     local function untyped(output, outputs, stop)
@@ -4155,7 +4104,7 @@ do
                 note_output(run, parameter, encoding, value)
             end
         else
-            if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
+            if parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address then
                 run.stated[parameter.name] = value
             end
             local range = not parameter.is_float and parameter.range
@@ -4217,7 +4166,6 @@ do
         return {
             line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
-            names = names[2] and names,
         }
     end
 
@@ -4323,25 +4271,13 @@ do
         end
     end
 
-    -- Tells whether the name of an output's operation occurs more than once in its command.
-    local function has_twins(summary)
-        local counts = {}
-        for _, name in ipairs(summary.names) do
-            counts[name] = (counts[name] or 0) + 1
-        end
-        for _, output in ipairs(summary.outputs) do
-            if counts[output.operation.name] > 1 then return true end
-        end
-        return false
-    end
-
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
         local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
         if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
             summary.is_told = true
-            if has_twins(summary) then add_tellings(outputs, body) end
+            add_tellings(outputs, body)
         end
         for _, output in ipairs(outputs) do
             if reply_values.read(output, outputs, memory) then found[#found + 1] = output end
@@ -4707,8 +4643,7 @@ do
             message.rest = type.is_command and stop or at
             local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
                 or "the frame ends before the command answered and the status"
-            message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            return
+            return set_fault(message, stop, reason, "cut_off")
         end
         local number = byte(text, at + 1)
         if not type.is_command then message.status = byte(text, at + 2) end
@@ -4716,8 +4651,7 @@ do
         if not message.command then
             message.rest = start
             local reason = phrases.finding("UNKNOWN_SYSTEM", { number = format("0x%02X", number) })
-            message.fault = { at = at, reason = reason, kind = "fault" }
-            return
+            return set_fault(message, at, reason, "fault")
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.
@@ -5153,28 +5087,13 @@ do
         return not kind or kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
     end
 
-    -- Bytes 1 to 4 of a header, as a pattern. No message type is a special character of patterns.
-    local codes = {}
-    for code in pairs(MESSAGE_TYPES) do
-        codes[#codes + 1] = string.char(code)
-    end
-    local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
-
-    -- The system commands that end with arbitrary data.
-    local has_data = {}
-    for number, command in pairs(SYSTEM_COMMANDS) do
-        for _, declared in ipairs(command.request) do
-            if declared.kind == BYTES then has_data[number] = true end
-        end
-    end
-
     -- Iterates over the places from an offset on where the header of an accepted type may be: place, end of the frame,
     -- type.
     local function each_start(text, at, accepts)
         local hit, trials = at + 1, 0
         return function()
             while trials < MOST_TRIALS do
-                hit = find(text, STARTS, hit + 1)
+                hit = find(text, HEADER_PATTERN, hit + 1)
                 if not hit then return nil end
                 local place = hit - 2
                 local type = MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]
@@ -5271,7 +5190,7 @@ do
             if not may_start(text, place) or type and not accepts(type) then return nil end
             local is_cut = type and reported > size and stop == reported and size - place >= LEAST
             local is_whole = type and stop <= size or is_cut
-            local is_data = type and type.carries == "system" and has_data[number]
+            local is_data = type and type.carries == "system" and (SYSTEM_COMMANDS[number] or {}).has_data
             if is_data and (not is_whole or is_split(starts, place, stop)) then return nil end
             if not is_whole then
                 return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil
@@ -6067,11 +5986,6 @@ do
         buffers, connections = {}, {}
     end
 
-    -- Tells whether a packet goes to the brick that its connection is named after.
-    local function is_to_named(conversation, pinfo)
-        return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
-    end
-
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
     local function goes_to_brick(type)
         return type.is_command or type.carries == "daisy"
@@ -6135,7 +6049,8 @@ do
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
-                local is_sent = is_to_named(conversation or connection_of(pinfo), pinfo)
+                local named = conversation or connection_of(pinfo)
+                local is_sent = named.port == pinfo.dst_port and named.address == pinfo.dst
                 local stream = {
                     reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
                     start = done, joint = joint, sent = joint, first = 0,
@@ -6164,9 +6079,15 @@ do
         return entry_at(announced, address, port) ~= nil
     end
 
-    -- Names a connection after its brick, to which a packet goes or from which it comes.
+    -- Returns the address and port of the brick to which a packet goes or from which it comes.
+    local function brick_end(pinfo, to_brick)
+        if to_brick then return pinfo.dst, pinfo.dst_port end
+        return pinfo.src, pinfo.src_port
+    end
+
+    -- Names a connection after its brick.
     local function name_brick(conversation, pinfo, to_brick)
-        local address, port = to_brick and pinfo.dst or pinfo.src, to_brick and pinfo.dst_port or pinfo.src_port
+        local address, port = brick_end(pinfo, to_brick)
         conversation.name = plain_address(address) .. ":" .. port
         conversation.address, conversation.port = address, port
     end
@@ -6186,13 +6107,6 @@ do
             return type.is_command
         end
 
-        -- Tells whether a port is ours by the user's preference or by a beacon.
-        local function is_sure(pinfo, to_brick)
-            if listed ~= "" then return true end
-            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
-            return is_announced(pinfo.src, pinfo.src_port)
-        end
-
         -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where ours
         -- begins; OPEN, with the offset from which on more is needed; or anything else.
         local function claim(conversation, known, text, reported, offset, pinfo)
@@ -6204,7 +6118,8 @@ do
             if verdict == OURS or ports[pinfo.src_port] and ports[pinfo.dst_port] then
                 to_brick = tells_brick(text, verdict ~= nil, pinfo)
             end
-            if verdict == OURS or is_sure(pinfo, to_brick) then
+            -- The user's preference, or a beacon, is sure.
+            if verdict == OURS or listed ~= "" or is_announced(brick_end(pinfo, to_brick)) then
                 claiming.begin(conversation, "sure")
             else
                 local function adopt(number, first)
@@ -6427,18 +6342,12 @@ do
     ev3.fields = fields
     ev3.experts = experts
 
-    local function dissect_any(tvb, pinfo, tree, is_all)
-        local dissect = dissectors[pinfo.port_type]
-        return dissect and dissect(tvb, pinfo, tree, is_all) or 0
-    end
-
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
-    function ev3.dissector(tvb, pinfo, tree)
-        return dissect_any(tvb, pinfo, tree, false)
-    end
-
-    function ev3_all.dissector(tvb, pinfo, tree)
-        return dissect_any(tvb, pinfo, tree, true)
+    for is_all, protocol in pairs({ [false] = ev3, [true] = ev3_all }) do
+        function protocol.dissector(tvb, pinfo, tree)
+            local dissect = dissectors[pinfo.port_type]
+            return dissect and dissect(tvb, pinfo, tree, is_all) or 0
+        end
     end
 
     function ev3.init()
@@ -6472,4 +6381,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: f9443fcaf6612f6b
+-- Checksum of the lines above, by which a changed file is recognised: b1cdfe660e7f781f

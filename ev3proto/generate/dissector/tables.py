@@ -152,6 +152,9 @@ def _frames() -> Iterator[str]:
         facts |= {name: True for name in ("is_command", "wants_reply", "is_error") if getattr(member, name)}
         types[hexadecimal(member)] = Table(named=facts)
     yield _assign("MESSAGE_TYPES", Rows(named=types))
+    yield "-- Bytes 1 to 4 of a header. No message type is a special character of patterns.\n"
+    codes_of_types = "".join(f"\\{member}" for member in MessageType)
+    yield _assign("HEADER_PATTERN", Name(f'"[\\0-\\{frame.MAX_LENGTH >> 8}]..[{codes_of_types}]"'))
     yield "local NAMES = { message_types = {}, opcodes = {}, system_commands = {} }\n"
     yield "for number, declared in pairs(MESSAGE_TYPES) do\n    NAMES.message_types[number] = declared.name\nend\n\n"
 
@@ -310,8 +313,9 @@ def _type(parameter: Parameter) -> Name:
 
 
 def _system() -> Iterator[str]:
-    yield _assign("SYSTEM", Rows([_system_command(command) for command in SYSTEM]))
-    yield "for _, command in ipairs(SYSTEM) do\n    NAMES.system_commands[command.number] = command.name\nend\n\n"
+    commands: dict[Any, object] = {hexadecimal(command.number): _system_command(command) for command in SYSTEM}
+    yield _assign("SYSTEM_COMMANDS", Rows(named=commands))
+    yield "for number, command in pairs(SYSTEM_COMMANDS) do\n    NAMES.system_commands[number] = command.name\nend\n\n"
     statuses: dict[Any, object] = {
         "names": Table(named={status.value: status.name for status in SystemStatus}),
         "fails": Table(named={status.value: status.is_failure for status in SystemStatus}),
@@ -323,7 +327,7 @@ def _system() -> Iterator[str]:
 
 
 def _system_command(command: SystemDeclaration) -> Table:
-    named: dict[Any, object] = {"number": hexadecimal(command.number), "name": command.name, "text": command.text}
+    named: dict[Any, object] = {"name": command.name, "text": command.text}
     for side in ("request", "reply"):
         fields: tuple[SystemField, ...] = getattr(command, side)
         named[side] = Table([_system_field(command, field) for field in fields])
@@ -333,6 +337,10 @@ def _system_command(command: SystemDeclaration) -> Table:
         named["is_bootloader"] = True
     if command.is_long:
         named["is_long"] = True
+    if any(field.kind is FieldKind.DATA for field in command.request):
+        named["has_data"] = True
+    if any(field.is_message for field in command.request):
+        named["has_message"] = True
     named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
     return Table(named=named)
 

@@ -27,28 +27,13 @@ do
         return not kind or kind == "cut_off" or kind == "fault" and operation ~= nil and operation.list ~= nil
     end
 
-    -- Bytes 1 to 4 of a header, as a pattern. No message type is a special character of patterns.
-    local codes = {}
-    for code in pairs(MESSAGE_TYPES) do
-        codes[#codes + 1] = string.char(code)
-    end
-    local STARTS = "[\0-" .. string.char(floor(MAX_LENGTH / 0x100)) .. "]..[" .. concat(codes) .. "]"
-
-    -- The system commands that end with arbitrary data.
-    local has_data = {}
-    for number, command in pairs(SYSTEM_COMMANDS) do
-        for _, declared in ipairs(command.request) do
-            if declared.kind == BYTES then has_data[number] = true end
-        end
-    end
-
     -- Iterates over the places from an offset on where the header of an accepted type may be: place, end of the frame,
     -- type.
     local function each_start(text, at, accepts)
         local hit, trials = at + 1, 0
         return function()
             while trials < MOST_TRIALS do
-                hit = find(text, STARTS, hit + 1)
+                hit = find(text, HEADER_PATTERN, hit + 1)
                 if not hit then return nil end
                 local place = hit - 2
                 local type = MESSAGE_TYPES[byte(text, place + HEADER_SIZE)]
@@ -145,7 +130,7 @@ do
             if not may_start(text, place) or type and not accepts(type) then return nil end
             local is_cut = type and reported > size and stop == reported and size - place >= LEAST
             local is_whole = type and stop <= size or is_cut
-            local is_data = type and type.carries == "system" and has_data[number]
+            local is_data = type and type.carries == "system" and (SYSTEM_COMMANDS[number] or {}).has_data
             if is_data and (not is_whole or is_split(starts, place, stop)) then return nil end
             if not is_whole then
                 return (is_begin[place] or anywhere) and finding.may_become(text, place, accepts) and OPEN or nil

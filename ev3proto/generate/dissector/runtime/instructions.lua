@@ -13,7 +13,7 @@ local function made_late(make)
     end })
 end
 
-local INSTRUCTION_SETS, SYSTEM_COMMANDS, prepare_operation
+local INSTRUCTION_SETS, prepare_operation
 do
     local PARAMETER_KINDS = { [DATAF] = FLOAT, [STRING] = TEXT_VALUE }
 
@@ -100,20 +100,11 @@ do
 
     -- Makes the list at the end of an operation; `declared` is the field of its elements.
     local function ready_list(parameter, row, declared)
-        local list = { is_count = row[3] == COUNT, elements_of = {} }
-        local types = { row.element }
-        list.element_type = row.element
-        if not TYPE_NAMES[row.element] then
-            types = { ARRAY_TYPED }
-            list.element_type = ARRAY_TYPED
-            for _, type in pairs(FORMAT_TYPES) do
-                types[#types + 1] = type
-            end
+        local function make(type)
+            return ready_elements(parameter, row, declared, type)
         end
-        for _, type in ipairs(types) do
-            list.elements_of[type] = ready_elements(parameter, row, declared, type)
-        end
-        return list
+        local type = TYPE_NAMES[row.element] and row.element or ARRAY_TYPED
+        return { is_count = row[3] == COUNT, element_type = type, elements_of = made_late(make) }
     end
 
     -- Makes an operation, and the fields of its parameters: one for each, and one for the values after a count.
@@ -182,16 +173,12 @@ do
         end
     end
 
-    -- System commands by number, with the fields of their messages.
-    SYSTEM_COMMANDS = {}
-    for _, command in ipairs(SYSTEM) do
+    for _, command in pairs(SYSTEM_COMMANDS) do
         for _, side in ipairs({ command.request, command.reply }) do
             for _, declared in ipairs(side) do
                 declared.field = field["system_" .. declared.filter]
-                command.has_message = command.has_message or declared.is_message
             end
         end
-        SYSTEM_COMMANDS[command.number] = command
     end
 end
 

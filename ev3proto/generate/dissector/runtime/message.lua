@@ -355,8 +355,7 @@ do
             message.rest = type.is_command and stop or at
             local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
                 or "the frame ends before the command answered and the status"
-            message.fault = { at = stop, reason = reason, kind = "cut_off" }
-            return
+            return set_fault(message, stop, reason, "cut_off")
         end
         local number = byte(text, at + 1)
         if not type.is_command then message.status = byte(text, at + 2) end
@@ -364,8 +363,7 @@ do
         if not message.command then
             message.rest = start
             local reason = phrases.finding("UNKNOWN_SYSTEM", { number = format("0x%02X", number) })
-            message.fault = { at = at, reason = reason, kind = "fault" }
-            return
+            return set_fault(message, at, reason, "fault")
         end
         local declared = type.is_command and message.command.request or message.command.reply
         -- Replies to failed commands may end before any field.

@@ -174,7 +174,7 @@ do
                 note_output(run, parameter, encoding, value)
             end
         else
-            if parameter.is_stated and reply_values.is_stated(parameter, encoding) then
+            if parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address then
                 run.stated[parameter.name] = value
             end
             local range = not parameter.is_float and parameter.range
@@ -236,7 +236,6 @@ do
         return {
             line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
-            names = names[2] and names,
         }
     end
 
@@ -342,25 +341,13 @@ do
         end
     end
 
-    -- Tells whether the name of an output's operation occurs more than once in its command.
-    local function has_twins(summary)
-        local counts = {}
-        for _, name in ipairs(summary.names) do
-            counts[name] = (counts[name] or 0) + 1
-        end
-        for _, output in ipairs(summary.outputs) do
-            if counts[output.operation.name] > 1 then return true end
-        end
-        return false
-    end
-
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
     function operations.read_outputs(body, reply)
         local summary = operations.summary_of(body)
         local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
         if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
             summary.is_told = true
-            if has_twins(summary) then add_tellings(outputs, body) end
+            add_tellings(outputs, body)
         end
         for _, output in ipairs(outputs) do
             if reply_values.read(output, outputs, memory) then found[#found + 1] = output end

@@ -11,18 +11,12 @@ do
     ev3.fields = fields
     ev3.experts = experts
 
-    local function dissect_any(tvb, pinfo, tree, is_all)
-        local dissect = dissectors[pinfo.port_type]
-        return dissect and dissect(tvb, pinfo, tree, is_all) or 0
-    end
-
     -- One protocol serves all carriers, so that "Decode As" offers it everywhere by one name.
-    function ev3.dissector(tvb, pinfo, tree)
-        return dissect_any(tvb, pinfo, tree, false)
-    end
-
-    function ev3_all.dissector(tvb, pinfo, tree)
-        return dissect_any(tvb, pinfo, tree, true)
+    for is_all, protocol in pairs({ [false] = ev3, [true] = ev3_all }) do
+        function protocol.dissector(tvb, pinfo, tree)
+            local dissect = dissectors[pinfo.port_type]
+            return dissect and dissect(tvb, pinfo, tree, is_all) or 0
+        end
     end
 
     function ev3.init()

@@ -24,11 +24,6 @@ do
         return mode and (parameter.reading == "si" or mode.agrees) and mode[parameter.number] or nil
     end
 
-    -- Tells whether an argument is a constant on which the meaning of another one depends.
-    function reply_values.is_stated(parameter, encoding)
-        return parameter.is_stated and encoding.kind == CONSTANT and not encoding.handle and not encoding.address
-    end
-
     -- Returns the type of an output that has the type of an array: the largest that fits before the operation's next
     -- output.
     local function untyped(output, outputs, stop)

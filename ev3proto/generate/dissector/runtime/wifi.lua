@@ -76,11 +76,6 @@ do
         buffers, connections = {}, {}
     end
 
-    -- Tells whether a packet goes to the brick that its connection is named after.
-    local function is_to_named(conversation, pinfo)
-        return conversation.port == pinfo.dst_port and conversation.address == pinfo.dst
-    end
-
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
     local function goes_to_brick(type)
         return type.is_command or type.carries == "daisy"
@@ -144,7 +139,8 @@ do
                 say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
             else
                 local reported = tvb:reported_len()
-                local is_sent = is_to_named(conversation or connection_of(pinfo), pinfo)
+                local named = conversation or connection_of(pinfo)
+                local is_sent = named.port == pinfo.dst_port and named.address == pinfo.dst
                 local stream = {
                     reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
                     start = done, joint = joint, sent = joint, first = 0,
@@ -173,9 +169,15 @@ do
         return entry_at(announced, address, port) ~= nil
     end
 
-    -- Names a connection after its brick, to which a packet goes or from which it comes.
+    -- Returns the address and port of the brick to which a packet goes or from which it comes.
+    local function brick_end(pinfo, to_brick)
+        if to_brick then return pinfo.dst, pinfo.dst_port end
+        return pinfo.src, pinfo.src_port
+    end
+
+    -- Names a connection after its brick.
     local function name_brick(conversation, pinfo, to_brick)
-        local address, port = to_brick and pinfo.dst or pinfo.src, to_brick and pinfo.dst_port or pinfo.src_port
+        local address, port = brick_end(pinfo, to_brick)
         conversation.name = plain_address(address) .. ":" .. port
         conversation.address, conversation.port = address, port
     end
@@ -195,13 +197,6 @@ do
             return type.is_command
         end
 
-        -- Tells whether a port is ours by the user's preference or by a beacon.
-        local function is_sure(pinfo, to_brick)
-            if listed ~= "" then return true end
-            if to_brick then return is_announced(pinfo.dst, pinfo.dst_port) end
-            return is_announced(pinfo.src, pinfo.src_port)
-        end
-
         -- Judges a buffer of a connection that is not claimed, in the first pass: CHAIN, with the offset where ours
         -- begins; OPEN, with the offset from which on more is needed; or anything else.
         local function claim(conversation, known, text, reported, offset, pinfo)
@@ -213,7 +208,8 @@ do
             if verdict == OURS or ports[pinfo.src_port] and ports[pinfo.dst_port] then
                 to_brick = tells_brick(text, verdict ~= nil, pinfo)
             end
-            if verdict == OURS or is_sure(pinfo, to_brick) then
+            -- The user's preference, or a beacon, is sure.
+            if verdict == OURS or listed ~= "" or is_announced(brick_end(pinfo, to_brick)) then
                 claiming.begin(conversation, "sure")
             else
                 local function adopt(number, first)

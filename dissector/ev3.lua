@@ -3978,9 +3978,9 @@ do
         steps[last + 5], steps[last + 6] = label or false, appended or false
     end
 
-    local function add_encoding(steps, encoding)
+    local function add_mark(steps, mark, value)
         local last = #steps
-        steps[last + 1], steps[last + 2] = true, encoding.label
+        steps[last + 1], steps[last + 2] = mark, value
     end
 
     -- Adds the items of steps to a message's item; `base` is the frame's offset in the buffer.
@@ -4092,10 +4092,7 @@ do
         elseif steps then
             local declared, shown, label, appended = value_parts(parameter, value, parameter.numbered)
             add_step(steps, declared, at, after - at, shown, label, appended)
-            if parameter.is_set and declared ~= field.other then
-                local last = #steps
-                steps[last + 1], steps[last + 2] = PORTS, value
-            end
+            if parameter.is_set and declared ~= field.other then add_mark(steps, PORTS, value) end
         end
         if encoding.scope then
             check_variable(run, at, parameter, encoding, value)
@@ -4113,7 +4110,7 @@ do
                 if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
             end
         end
-        if steps then add_encoding(steps, encoding) end
+        if steps then add_mark(steps, true, encoding.label) end
         if run.said and parameter.key then say_argument(run, parameter, encoding, value) end
     end
 
@@ -4143,7 +4140,7 @@ do
             local cmd = selected.cmd_name
             if steps and cmd then
                 add_step(steps, CMD, at + 1, after - at - 1, selected.name)
-                if after > at + 2 then add_encoding(steps, reading.ENCODINGS[byte(text, at + 2)]) end
+                if after > at + 2 then add_mark(steps, true, reading.ENCODINGS[byte(text, at + 2)].label) end
             end
             run.operation, run.at, run.stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.
@@ -5372,7 +5369,7 @@ do
     -- bytes may be missing before them.
     local function reason_of(length, plain, left_over, is_gap)
         if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
-        local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
+        local is_possible = not length or is_usual_length(length)
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)
@@ -6228,12 +6225,6 @@ do
             if named then add_entry(announced, address, named, name) end
         end
 
-        -- Returns the port that a beacon names, nil if it is out of range.
-        local function port_of(value)
-            local port = value:match("^%d%d?%d?%d?%d?$") and tonumber(value)
-            return port and port > 0 and port <= MAX_PORT and port or nil
-        end
-
         local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), nil, "beacon")
             local at, values, port = 0, {}, nil
@@ -6247,7 +6238,8 @@ do
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
                 values[#values + 1] = phrases.on_one_line(value)
-                if line.name == "port" then port = port_of(value) end
+                local number = line.name == "port" and tonumber(value:match("^%d%d?%d?%d?%d?$") or 0) or 0
+                if number > 0 and number <= MAX_PORT then port = number end
                 local range = tvb(at + #head, #value)
                 if item then item:add(field["beacon_" .. line.name], range, reading.utf8_text(value)) end
                 at = stop + 1
@@ -6381,4 +6373,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: b1cdfe660e7f781f
+-- Checksum of the lines above, by which a changed file is recognised: 97a86a415660e4b6

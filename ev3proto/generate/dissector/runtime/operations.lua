@@ -48,9 +48,9 @@ do
         steps[last + 5], steps[last + 6] = label or false, appended or false
     end
 
-    local function add_encoding(steps, encoding)
+    local function add_mark(steps, mark, value)
         local last = #steps
-        steps[last + 1], steps[last + 2] = true, encoding.label
+        steps[last + 1], steps[last + 2] = mark, value
     end
 
     -- Adds the items of steps to a message's item; `base` is the frame's offset in the buffer.
@@ -162,10 +162,7 @@ do
         elseif steps then
             local declared, shown, label, appended = value_parts(parameter, value, parameter.numbered)
             add_step(steps, declared, at, after - at, shown, label, appended)
-            if parameter.is_set and declared ~= field.other then
-                local last = #steps
-                steps[last + 1], steps[last + 2] = PORTS, value
-            end
+            if parameter.is_set and declared ~= field.other then add_mark(steps, PORTS, value) end
         end
         if encoding.scope then
             check_variable(run, at, parameter, encoding, value)
@@ -183,7 +180,7 @@ do
                 if reason then report(run, REFUSED[code] and "refused" or "misread", at, reason) end
             end
         end
-        if steps then add_encoding(steps, encoding) end
+        if steps then add_mark(steps, true, encoding.label) end
         if run.said and parameter.key then say_argument(run, parameter, encoding, value) end
     end
 
@@ -213,7 +210,7 @@ do
             local cmd = selected.cmd_name
             if steps and cmd then
                 add_step(steps, CMD, at + 1, after - at - 1, selected.name)
-                if after > at + 2 then add_encoding(steps, reading.ENCODINGS[byte(text, at + 2)]) end
+                if after > at + 2 then add_mark(steps, true, reading.ENCODINGS[byte(text, at + 2)].label) end
             end
             run.operation, run.at, run.stated = selected, at, selected.has_stated and {} or NOTHING_STATED
             -- The line has the arguments of the first operation only.

@@ -85,7 +85,7 @@ do
     -- bytes may be missing before them.
     local function reason_of(length, plain, left_over, is_gap)
         if plain then return "no frame can start here: this is text; a Messaging block needs WRITEMAILBOX" end
-        local is_possible = not length or length >= MIN_LENGTH and length <= MAX_LENGTH
+        local is_possible = not length or is_usual_length(length)
         local reason = "no frame can start here: the length field says %d, but it can be %d to %d"
         if left_over then
             reason = is_possible and "no frame can start here" or format(reason, length, MIN_LENGTH, MAX_LENGTH)

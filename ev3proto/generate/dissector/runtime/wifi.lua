@@ -318,12 +318,6 @@ do
             if named then add_entry(announced, address, named, name) end
         end
 
-        -- Returns the port that a beacon names, nil if it is out of range.
-        local function port_of(value)
-            local port = value:match("^%d%d?%d?%d?%d?$") and tonumber(value)
-            return port and port > 0 and port <= MAX_PORT and port or nil
-        end
-
         local function dissect_beacon(tvb, text, tree, pinfo)
             local item = has_tree(tree) and add_item(tree, tvb(), nil, "beacon")
             local at, values, port = 0, {}, nil
@@ -337,7 +331,8 @@ do
                 end
                 local value = sub(text, at + #head + 1, stop - 1)
                 values[#values + 1] = phrases.on_one_line(value)
-                if line.name == "port" then port = port_of(value) end
+                local number = line.name == "port" and tonumber(value:match("^%d%d?%d?%d?%d?$") or 0) or 0
+                if number > 0 and number <= MAX_PORT then port = number end
                 local range = tvb(at + #head, #value)
                 if item then item:add(field["beacon_" .. line.name], range, reading.utf8_text(value)) end
                 at = stop + 1

@@ -233,6 +233,7 @@ do
         return {
             line = line, after = at, fault = fault, first = first, complaints = run.complaints, outputs = run.outputs,
             remark = fault and format("at offset %d: %s", fault.at, fault.reason) or run.remark, steps = steps,
+            names = names[2] and names,
         }
     end
 
@@ -317,7 +318,12 @@ do
     end
 
     -- Gives the outputs of operations that have the same name a `telling`: the inputs in which these differ.
-    local function add_tellings(outputs, body)
+    local function add_tellings(summary, body)
+        local known, has_twins = {}, false
+        for _, name in ipairs(summary.names) do
+            has_twins, known[name] = has_twins or known[name], true
+        end
+        if not has_twins then return end
         local text, at, reason, by_name, telling = HEADER .. body, COMMAND_HEADER_SIZE, nil, {}, {}
         while at < #text and not reason do
             local inputs = { at = at }
@@ -333,7 +339,7 @@ do
         for _, list in pairs(by_name) do
             if list[2] then tell_apart(list, telling) end
         end
-        for _, output in ipairs(outputs) do
+        for _, output in ipairs(summary.outputs) do
             output.telling = telling[output.at]
         end
     end
@@ -344,7 +350,7 @@ do
         local memory, found, outputs = sub(reply.text, HEADER_SIZE + 1), {}, summary.outputs
         if #outputs > 1 and outputs[1].at ~= outputs[#outputs].at and not summary.is_told then
             summary.is_told = true
-            add_tellings(outputs, body)
+            add_tellings(summary, body)
         end
         for _, output in ipairs(outputs) do
             if reply_values.read(output, outputs, memory) then found[#found + 1] = output end

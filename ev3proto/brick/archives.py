@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import io
+import re
 import tarfile
 import zlib
 
@@ -15,12 +16,22 @@ _MOST_NAME = 255
 _MOST_MEMBER_DEPTH = 16
 """Maximum nesting depth of a member."""
 
+_MOST_EXTENSION = 4096
+"""Bytes of a header that holds a long name."""
+
+_MOST_HEADERS = 4 * MOST_ENTRIES
+"""Maximum number of headers that are read: entries may be there already, and have headers for their names."""
+
 _HEADS = 2 * MOST_ENTRIES * tarfile.BLOCKSIZE
 """Largest overhead of an archive, in bytes."""
 
 _GZIP = zlib.MAX_WBITS | 16
 """For zlib: the data has the head of a gzip file."""
 
+_NAMES = (tarfile.GNUTYPE_LONGNAME, tarfile.XHDTYPE)
+"""Types of headers that hold the name of the next member."""
+
+_PAX_PATH = re.compile(rb"(?:^|\n)\d+ path=([^\n]*)\n")
 _CODING = "utf-8", "surrogateescape"
 
 
@@ -53,27 +64,51 @@ def unpack(storage: Storage, archive: bytes) -> bool:
     most = storage.quota + _HEADS
     try:
         whole = zlib.decompressobj(_GZIP).decompress(storage.read(archive) or b"", most + 1)
-        if len(whole) > most:
-            return False
-        with tarfile.open(fileobj=io.BytesIO(whole), mode="r:") as members:
-            return all(_unpack_member(storage, folder + slash, members, entry) for entry in members)
-    except (zlib.error, tarfile.TarError):
+    except zlib.error:
         return False
+    return len(whole) <= most and _unpack_members(storage, folder + slash, whole)
 
 
-def _unpack_member(storage: Storage, folder: bytes, members: tarfile.TarFile, entry: tarfile.TarInfo) -> bool:
-    name = entry.name.encode(*_CODING)
+def _unpack_members(storage: Storage, folder: bytes, whole: bytes) -> bool:
+    # A TarFile would read the headers in times and depths that grow with hostile names.
+    at, long_name = 0, None
+    for _ in range(_MOST_HEADERS):
+        try:
+            entry = tarfile.TarInfo.frombuf(whole[at : at + tarfile.BLOCKSIZE], *_CODING)
+        except tarfile.HeaderError:
+            # Zeros end an archive.
+            return not any(whole[at : at + tarfile.BLOCKSIZE])
+        at += tarfile.BLOCKSIZE
+        contents = whole[at : at + max(entry.size, 0)]
+        at += len(contents) + -len(contents) % tarfile.BLOCKSIZE
+        if entry.size != len(contents):
+            return False
+        if entry.type in _NAMES:
+            long_name = _long_name(contents)
+        elif entry.type != tarfile.XGLTYPE:
+            name, long_name = long_name or entry.name.encode(*_CODING), None
+            if not _unpack_member(storage, folder, name, entry, contents):
+                return False
+    return False
+
+
+def _long_name(contents: bytes) -> bytes | None:
+    """Returns the name in a header of GNU tar or pax; None if it has none."""
+    found = _PAX_PATH.search(contents[:_MOST_EXTENSION])
+    return found[1] if found is not None else contents.partition(b"\0")[0]
+
+
+def _unpack_member(storage: Storage, folder: bytes, name: bytes, entry: tarfile.TarInfo, contents: bytes) -> bool:
     parts = name.split(b"/")
     if name.startswith(b"/") or b".." in parts or len(name) > _MOST_NAME or len(parts) > _MOST_MEMBER_DEPTH:
         return False
     if entry.isdir():
+        name = name.rstrip(b"/")
         return storage.is_folder(folder + name) or storage.make_folder(folder + name)
-    # A sparse file takes less of the archive than of the disk.
-    contents = members.extractfile(entry) if entry.isreg() and 0 <= entry.size <= storage.free else None
-    if contents is None:
+    if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
         return False
     storage.make_folders(folder + name)
-    return _write(storage, folder + name, contents.read())
+    return _write(storage, folder + name, contents)
 
 
 def _write(storage: Storage, path: bytes, data: bytes) -> bool:

@@ -668,6 +668,28 @@ def test_archives_with_long_or_deep_names_are_not_unpacked(brick: Brick, project
     assert sorted(path.name for path in projects.iterdir()) == ["x.raf"]
 
 
+def test_archives_with_hostile_headers_are_refused_at_once(brick: Brick, projects: Path) -> None:
+    """A length of 88 bits, digits in place of a name, and a chain of names, on which a TarFile of Python fails."""
+    import gzip
+    import tarfile
+    import time
+
+    def header(kind: bytes, contents: bytes = b"") -> bytes:
+        entry = tarfile.TarInfo("x")
+        entry.type, entry.size = kind, len(contents)
+        return entry.tobuf() + contents + bytes(-len(contents) % tarfile.BLOCKSIZE)
+
+    plain = bytearray(header(tarfile.GNUTYPE_LONGNAME))
+    plain[124:136] = b"\x80" + b"\x7f" * 11
+    plain[148:156] = b"%06o\0 " % (sum(plain[:148]) + 8 * 0x20 + sum(plain[156:]))
+    for head in (bytes(plain), header(tarfile.XHDTYPE, b"1" * 60_000), header(tarfile.GNUTYPE_LONGNAME) * 5_000):
+        (projects / "x.raf").write_bytes(gzip.compress(head + header(tarfile.DIRTYPE) + bytes(1024)))
+        begun = time.thread_time()
+        assert run(brick, op("FILENAME.UNPACK", "../prjs/x"))[0] == OK
+        assert time.thread_time() - begun < 0.5
+        assert {path.name for path in projects.iterdir()} <= {"x.raf", "x"}
+
+
 def test_a_full_folder_takes_no_more(tmp_path: Path) -> None:
     storage = Storage(tmp_path, quota=10)
     file = storage.open_to_write(b"../prjs/a")

@@ -334,8 +334,7 @@ class _Files:
         self, record: Record, message: SystemCommand | SystemReply, entry: SystemDeclaration
     ) -> _Moving | None:
         """Returns the firmware image in transfer to the flash memory, which has no path and no handle."""
-        # The command that requests a checksum has the same field, but also a reply.
-        begins = not entry.reply and any(field.name == "image_size" for field in entry.request)
+        begins = _begins_image(entry)
         is_command = isinstance(message, SystemCommand)
         if not begins and not any(field.kind is FieldKind.DATA for field in entry.request):
             return None
@@ -386,6 +385,11 @@ class _Files:
         moving = _Moving(number, path, parts, command, direction, peer, record.number, record.number)
         self.all.append(moving)
         return moving
+
+
+def _begins_image(entry: SystemDeclaration) -> bool:
+    # The command that requests a checksum has the same field, but also a reply.
+    return not entry.reply and any(field.name == "image_size" for field in entry.request)
 
 
 class _Pieces:

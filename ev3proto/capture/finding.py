@@ -177,11 +177,9 @@ class Finder:
         self, buffer: bytes, at: int, begins: Sequence[int], accepts: Accepts, missing: int, *, anywhere: bool
     ) -> Found:
         size, end, is_begin = len(buffer), frame_end(buffer, at), at in begins
-        if is_begin and not missing and self.slip_of(buffer[at : _next_of(begins, at, size)], self._is_plausible):
+        if is_begin and self._has_slip(buffer, at, begins, missing):
             return Found.CHAIN
-        if end is not None and not (
-            accepts(MESSAGE_TYPES[buffer[at + HEADER_SIZE - 1]]) and _is_safe(buffer, at, end, begins)
-        ):
+        if end is not None and not _is_possible(buffer, at, end, begins, accepts):
             return Found.NOTHING
         is_cut = missing > 0 and end == size + missing and size - at >= _LEAST
         if end is None or (end > size and not is_cut):
@@ -192,8 +190,12 @@ class Finder:
                 return Found.CHAIN
         return Found.SINGLE if is_begin and self._fills(buffer, at, accepts, missing) else Found.NOTHING
 
-    def _is_plausible(self, message: Message) -> bool:
-        return is_plausible(message, self.schema)
+    def _has_slip(self, buffer: bytes, at: int, begins: Sequence[int], missing: int) -> bool:
+        """Returns whether a packet is a plausible command but for its length field."""
+        if missing:
+            return False
+        sent = buffer[at : min((start for start in begins if start > at), default=len(buffer))]
+        return self.slip_of(sent, lambda message: is_plausible(message, self.schema)) is not None
 
     def _unfinished(self, buffer: bytes, at: int) -> Found:
         is_possible = not _carries_data(buffer, at) and self.may_become(buffer, at)
@@ -260,11 +262,6 @@ class Finder:
         return Found.BEGUN if is_begin and (is_frame or following is not None) else Found.NOTHING
 
 
-def _next_of(begins: Sequence[int], at: int, size: int) -> int:
-    """Returns the offset after the packet that begins at an offset."""
-    return min((start for start in begins if start > at), default=size)
-
-
 def _frames_from(buffer: bytes, at: int, accepts: Accepts) -> Iterator[tuple[int, int]]:
     """Yields where frames may start from an offset on, and where they would end."""
     for hit in _STARTS.finditer(buffer, at):
@@ -273,8 +270,10 @@ def _frames_from(buffer: bytes, at: int, accepts: Accepts) -> Iterator[tuple[int
             yield hit.start(), end
 
 
-def _is_safe(buffer: bytes, at: int, end: int, begins: Sequence[int]) -> bool:
-    """Returns whether no packet begins within the data of a command, which may contain other frames."""
+def _is_possible(buffer: bytes, at: int, end: int, begins: Sequence[int], accepts: Accepts) -> bool:
+    """Returns whether a frame has an accepted type, and no packet begins within its data, which may be other frames."""
+    if not accepts(MESSAGE_TYPES[buffer[at + HEADER_SIZE - 1]]):
+        return False
     return not (_carries_data(buffer, at) and any(at < start < end for start in begins))
 
 

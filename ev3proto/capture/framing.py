@@ -415,8 +415,7 @@ class Cutter:
             return PartKind.LOST, end
         # A header after a valid frame confirms it, two do after another.
         is_open = place < end and found is Found.OPEN and follows <= (not is_frame)
-        is_split = any(at < start < end for start, _ in self._marks)
-        waits = is_open or (not follows and not is_frame and is_split)
+        waits = is_open or (not follows and not is_frame and self._is_split(at, end))
         return PartKind.FRAME, len(buffer) + 1 if waits and not is_last else end
 
     def _after_gap(self, at: int, end: int, is_frame: bool) -> int:
@@ -424,6 +423,9 @@ class Cutter:
         if self._trials or not is_frame:
             return at + 1
         return next((start for start, _ in self._marks if start > at), end)
+
+    def _is_split(self, at: int, end: int) -> bool:
+        return any(at < start < end for start, _ in self._marks)
 
     def _misleads(self, buffer: bytes, at: int, is_last: bool) -> bool:
         if not is_last and self._finder.may_become(buffer, at):

@@ -135,6 +135,10 @@ _UNREAD = {266: "USB on macOS"}
 """Names of link types that are not read."""
 
 
+def _named(link: int) -> str:
+    return f"{link} ({_UNREAD[link]})" if link in _UNREAD else str(link)
+
+
 def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
     """Yields the events in packets. Raises CaptureError after everything readable."""
     account = context.account
@@ -165,7 +169,7 @@ def _events_in(packets: Iterator[Packet], context: Context) -> Iterator[Event]:
     if trouble is not None:
         raise trouble
     if unknown:
-        links = ", ".join(f"{each} ({_UNREAD[each]})" if each in _UNREAD else str(each) for each in sorted(unknown))
+        links = ", ".join(map(_named, sorted(unknown)))
         raise CaptureError(
             f"packets of link type {links} were not read; --engine wireshark reads all link types of Wireshark"
         )

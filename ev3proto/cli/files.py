@@ -54,7 +54,7 @@ def files(
         for recovered in _recovered(part, folder, problems, force=force, listings=listings):
             is_empty = False
             if as_json:
-                say_json(asdict(recovered) | {"file": None if recovered.file is None else str(recovered.file)})
+                say_json(_record(recovered))
             elif folder is None:
                 rows.append(_row(recovered))
             elif recovered.file is not None:
@@ -98,3 +98,7 @@ def _list(rows: list[tuple[str, ...]], places: str) -> None:
     bricks = {row[_COLUMNS.index("brick")] for row in rows}
     titles = [places if name == "packets" else name for name in _COLUMNS]
     Tables(hidden=() if len(bricks) > 1 else ("brick",)).table(titles, rows)
+
+
+def _record(file: RecoveredFile) -> dict[str, object]:
+    return {**asdict(file), "file": None if file.file is None else str(file.file)}

@@ -122,12 +122,15 @@ class Answer(NamedTuple, Generic[T]):
 
     command: T
     is_sure: bool  # no other command may be the one that it answers
-    misfit: str = ""  # what is said of a reply with another size than the command requests
+    asked: int | None = None  # the bytes of memory that the command requests, if it is a direct one
+    size: int | None = None  # those in the reply, if it is a direct one and no error
 
     @property
     def note(self) -> str | None:
         """The note of the reply, if it has another size than requested or the pairing is unsure."""
-        return self.misfit or (None if self.is_sure else UNSURE)
+        if self.asked is not None and self.size is not None and self.asked != self.size:
+            return OTHER_SIZE.format(asked=counted(self.asked, "byte"), size=self.size)
+        return None if self.is_sure else UNSURE
 
 
 class _Waiting(NamedTuple, Generic[T]):
@@ -239,8 +242,8 @@ class Pairing(Generic[T]):
         if not self._is_ordered:
             is_sure = is_sure and number not in self._unsure
             self._unsure.update(fitting)
-        misfit = "" if fitting else OTHER_SIZE.format(asked=counted(waiting[number].size or 0, "byte"), size=size)
-        return Answer(self._forget(number), is_sure, misfit)
+        asked = waiting[number].size
+        return Answer(self._forget(number), is_sure, asked, size)
 
     def _in_time(self, fitting: list[int], time_ns: int | None) -> int | None:
         """Returns the oldest of some commands that was not sent too long ago; None if all were."""

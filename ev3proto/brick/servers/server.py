@@ -86,19 +86,14 @@ async def running(options: Options, root: Path, say: Say) -> AsyncIterator[Runni
         options.script.set_up(brick)
         if options.serial_number is not None:
             brick.equipment.settings.bluetooth_address = options.serial_number
-        for name in USUAL_FOLDERS:  # in which programs look for files
-            with contextlib.suppress(OSError):
-                (root / name).mkdir(parents=True, exist_ok=True)
+        _make_usual_folders(root)
         host = Host(brick, say, options.faults)
         loop.set_exception_handler(lambda _, context: host.say_once(f"a defect, {REPORT_IT}: {_told(context)}"))
         stack.callback(host.stop)
         if options.screenshot is not None:
             _expect_place(options.screenshot)
             stack.callback(_save_screenshot, brick, options.screenshot, say)
-        try:
-            recorder = None if options.record is None else Recorder(options.record, say, force=options.force)
-        except OSError as error:
-            raise ServerError(f"{options.record}: cannot be written: {error.strerror or error}") from None
+        recorder = None if options.record is None else _recorder(options.record, say, options.force)
         if recorder is not None:
             host.observers.append(recorder)
             stack.callback(recorder.close)
@@ -133,6 +128,13 @@ def _beacon(brick: Brick, port: int) -> Beacon:
     return Beacon(brick.equipment.settings.bluetooth_address, str(port), brick.equipment.settings.name)
 
 
+def _make_usual_folders(root: Path) -> None:
+    """Creates the folders of LEGO's bricks, in which programs look for files."""
+    for name in USUAL_FOLDERS:
+        with contextlib.suppress(OSError):
+            (root / name).mkdir(parents=True, exist_ok=True)
+
+
 def _told(context: dict[str, Any]) -> str:
     """Returns asyncio's message about an unhandled exception."""
     error = context.get("exception")
@@ -164,6 +166,13 @@ def _expect_place(path: Path) -> None:
     if not os.access(path.parent, os.W_OK):
         reason = "Permission denied" if path.parent.exists() else "No such file or directory"
         raise ServerError(f"{path}: cannot be written: {reason}")
+
+
+def _recorder(path: Path, say: Say, force: bool) -> Recorder:
+    try:
+        return Recorder(path, say, force=force)
+    except OSError as error:
+        raise ServerError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
 def _page(host: Host, address: str, port: int) -> AbstractAsyncContextManager[tuple[str, asyncio.Event]]:

@@ -25,14 +25,18 @@ def check_failures(context: CheckContext) -> Iterator[Finding]:
     may_fail = context.dialect == _OFFICIAL and Effect.FAILS in context.effects
     for operation in context.operations:
         if may_fail and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
-            note = operation.facts.declaration.note
-            key, reason = ("", note[0].lower() + note[1:].rstrip(".")) if note else ("no code", "")
-            yield operation.finding(codes.FAILS, key, reason=reason)
+            yield _failure(operation)
         elif operation.facts.has_handles:
             yield from _handles(operation, made)
             made += _made_by(operation)
         if operation.facts.has_letters:
             yield from _letters(operation)
+
+
+def _failure(operation: CheckedOperation) -> Finding:
+    note = operation.facts.declaration.note
+    key, reason = ("", note[0].lower() + note[1:].rstrip(".")) if note else ("no code", "")
+    return operation.finding(codes.FAILS, key, reason=reason)
 
 
 def _made_by(operation: CheckedOperation) -> list[Role]:

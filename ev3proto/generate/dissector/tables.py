@@ -333,14 +333,13 @@ def _system_command(command: SystemDeclaration) -> Table:
         named[side] = Table([_system_field(command, field) for field in fields])
     if command.transfer:
         named["transfer"] = command.transfer
-    if command.bootloader:
-        named["is_bootloader"] = True
-    if command.is_long:
-        named["is_long"] = True
-    if any(field.kind is FieldKind.DATA for field in command.request):
-        named["has_data"] = True
-    if any(field.is_message for field in command.request):
-        named["has_message"] = True
+    flags = {
+        "is_bootloader": command.bootloader,
+        "is_long": command.is_long,
+        "has_data": any(field.kind is FieldKind.DATA for field in command.request),
+        "has_message": any(field.is_message for field in command.request),
+    }
+    named |= {name: True for name, is_set in flags.items() if is_set}
     named["statuses"] = Table(named={status.value: text for status, text in command.statuses})
     return Table(named=named)
 

@@ -474,7 +474,7 @@ export class Dialogue {
   /** The commands that wait for a reply, oldest first, as decode returned them. */
   get unanswered() { return this.#waiting.map(({ message }) => message); }
 
-  /** Takes the next frame. Returns what decode returns of it; a reply has a `note` if it is of another size, or several commands may be the one that it answers. */
+  /** Takes the next frame. Returns what decode returns of it; a reply of another size, or of one of several commands, has a `note`. */
   feed(frame) {
     const message = decode(frame, { dialect: this.#dialect }), type = frame.length < 5 ? undefined : types.get(frame[4]);
     if (!type) return message;
@@ -495,7 +495,8 @@ export class Dialogue {
     this.#waiting = this.#waiting.filter((each) => !gone.includes(each));
     const { hex, ...found } = decode(frame, { request: answered.message, dialect: this.#dialect });
     const misfit = `the command requests ${counted(answered.size, "byte")} of memory, but this reply has ${size}`;
-    const note = fitting.length ? isSure || "the pairing is unsure: several commands with its counter waited" : misfit;
-    return { ...found, ...(note === true ? {} : { note }), hex };
+    const unsure = isSure ? undefined : "the pairing is unsure: several commands with its counter waited";
+    const note = fitting.length ? unsure : misfit;
+    return { ...found, ...(note && { note }), hex };
   }
 }

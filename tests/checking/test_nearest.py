@@ -63,7 +63,7 @@ def test_bytes_that_can_only_be_guessed_are_unknown() -> None:
 
 
 def test_two_arguments_that_are_missing_are_both_named() -> None:
-    """OUTPUT_STEP_SYNC without LAYER and TURN; SOUND.TONE without VOLUME and FREQUENCY."""
+    """OUTPUT_TIME_SYNC without LAYER and NOS; SOUND.TONE without VOLUME and FREQUENCY."""
     (one,) = nearest("0D00 0100 80 0000 B1 00 814B 82B80B 00")
     assert one.message.startswith("LAYER of OUTPUT_TIME_SYNC is missing; so is NOS of OUTPUT_TIME_SYNC")
     assert not one.is_sure

@@ -400,6 +400,12 @@ class Message:
         return f"{type(self).__name__}({', '.join([*kind, *shown])})"
 
 
+def own_fault(message: Message, missing: int) -> Fault | None:
+    """Returns what is wrong with a message, but for `missing` bytes at its end that a text or a capture left out."""
+    fault = message.fault
+    return None if fault is None or (missing and fault.truncated) else fault
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class DirectCommand(Message):
     """Operations for the brick's virtual machine.

@@ -87,7 +87,7 @@ class Brick:
     stretch  CPU seconds of this computer after which a call returns, between two operations of a direct command; the
              next call continues it. None: a call returns when the command ends or waits
 
-    `has_ended_command`: a limit has ended a direct command.
+    `has_ended_command`: a limit has ended a direct command. `is_computing`: a command is ready to continue.
     """
 
     def __init__(
@@ -98,7 +98,7 @@ class Brick:
         self.equipment = Equipment(root, check_dialect(dialect), self.stop)
         self._has_core_set = False
         self.has_ended_command = False
-        self._is_computing = False
+        self.is_computing = False
         self.machine = Machine(self.equipment, dispatch_table(self.equipment.dialect))
         self._global_memory = bytearray(GRANTED_GLOBALS)
         self._waiting: deque[Addressed] = deque()
@@ -295,11 +295,6 @@ class Brick:
         """CPU seconds that the direct command in progress has computed; looking whether a wait is over takes none."""
         return 0.0 if self._command is None else self._command.spent
 
-    @property
-    def is_computing(self) -> bool:
-        """Whether a command is ready to continue."""
-        return self._is_computing
-
     def end_command(self) -> list[Addressed]:
         """Ends the direct command in progress as failed. Returns the replies that became due."""
         if self._command is not None:
@@ -399,12 +394,12 @@ class Brick:
             if program.status != RUNNING:
                 break
             if now > self._deadline or (is_waiting and has_waited):
-                self._is_computing = not is_waiting
+                self.is_computing = not is_waiting
                 return False
             # Repeated once immediately: some operations wait only for what they have changed themselves.
             has_waited = is_waiting
         self._command = None
-        self._is_computing = False
+        self.is_computing = False
         if not self.equipment.is_dead:
             self._answer(command, program)
         # A real brick takes some milliseconds for a frame, during which its programs continue.

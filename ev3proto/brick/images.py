@@ -78,7 +78,7 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
         if needed > ARRAY_ROOM:
             return None
         kind = kind_of(owner, triggers)
-        parameters, begin = _table(data, read.offset) if kind is ObjectKind.SUBCALL else ((), read.offset)
+        parameters, begin = _table(data, read.offset, kind)
         local_memory = bytearray(local_size)
         objects[number] = ProgramObject(
             number, begin, local_memory, local_size, kind=kind, triggers=triggers, parameters=parameters
@@ -86,9 +86,8 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
         if kind is ObjectKind.BLOCK:
             owners[number] = owner
     for number, owner in owners.items():
-        if owner in objects:
-            # A block runs in the memory of its owner.
-            objects[number].local_memory = objects[owner].local_memory
+        # A block runs in the memory of its owner.
+        objects[number].local_memory = objects.get(owner, objects[number]).local_memory
     for entry in objects.values():
         entry.reset()
     objects[1].status = RUNNING
@@ -104,9 +103,9 @@ def load(slot: int, image: Image, started: int, dialect: str) -> Program | None:
     )
 
 
-def _table(data: bytes, at: int) -> tuple[tuple[ProgramParameter, ...], int]:
-    """Returns the parameters of a subcall, and where its operations begin."""
+def _table(data: bytes, at: int, kind: ObjectKind) -> tuple[tuple[ProgramParameter, ...], int]:
+    """Returns the parameters of an object, which a subcall has, and where its operations begin."""
     try:
-        return read_table(data, at, len(data))
+        return read_table(data, at, len(data)) if kind is ObjectKind.SUBCALL else ((), at)
     except DecodeError:
         return (), at

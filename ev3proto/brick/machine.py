@@ -150,24 +150,17 @@ class Machine:
         is_waiting = False
         try:
             self._execute(entry)
-            entry.ip = self.ip
-        except Sleep:
-            entry.ip = self.ip
         except Pause:
-            entry.ip = self.ip
             program.unfinished = max(self._left, 1)
         except Busy as busy:
             program.waits_for = "".join(busy.args)
             is_waiting = True
-        except Leave:
+        except (Sleep, Leave):
             pass
         except (Failure, IndexError, ValueError, struct.error, OSError) as failure:
             # Reading code beyond its end raises IndexError, a text in it without an end ValueError, a short
             # variable beyond the memory a struct.error, a full disk an OSError.
-            if program.slot != CMD_SLOT:
-                is_unknown = isinstance(failure, NoOperation)
-                self.brick.settings.log_error("VM_PROGRAM_INSTRUCTION_BREAK" if is_unknown else "VM_PROGRAM_FAIL_BREAK")
-            self.end_program(program, FAIL)
+            self._fail(program, "INSTRUCTION" if isinstance(failure, NoOperation) else "FAIL")
         except Exception:
             # A defect, which would occur again at each turn.
             self.end_program(program, FAIL)
@@ -201,11 +194,21 @@ class Machine:
                     function(self)
                 else:
                     function(self, *[read(self) for read in readers])
+            entry.ip = self.ip
+        except (Sleep, Pause):
+            entry.ip = self.ip
+            raise
         except Busy:
             entry.ip = begin
             raise
         finally:
             self._left = left
+
+    def _fail(self, program: Program, reason: str) -> None:
+        """Ends a program, and logs why; commands are not logged."""
+        if program.slot != CMD_SLOT:
+            self.brick.settings.log_error(f"VM_PROGRAM_{reason}_BREAK")
+        self.end_program(program, FAIL)
 
     def start_program(self, slot: int, image: Image) -> bool:
         """Makes a program of an image and starts it in a slot. Returns False and logs an error if it is damaged."""

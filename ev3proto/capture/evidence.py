@@ -11,6 +11,7 @@ from ev3proto.messages import (
     Message,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.schema.frame import FrameReader, frame_reader
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, read_memory, unpack_header
@@ -68,7 +69,7 @@ def _fits(command: DirectCommand, *, is_cut: bool) -> bool:
     """Returns whether operations are read to their end, and each argument is one that its parameter accepts."""
     opcodes = {operation.opcode for operation in command.operations}
     return (
-        (command.fault is None or (is_cut and command.fault.truncated))
+        own_fault(command, is_cut) is None
         and not opcodes <= _NOT_TELLING
         and not opcodes & _NOT_SENT
         and all(
@@ -103,7 +104,7 @@ def proves(reply: bytes, command: bytes) -> bool:
     answer, request = MESSAGE_TYPES.get(code), MESSAGE_TYPES.get(asked)
     if answer is None or request is None or answer.is_command or not request.wants_reply:
         return False
-    if answer.carries != request.carries or counter != wanted:
+    if (answer.carries, counter) != (request.carries, wanted):
         return False
     if answer.carries == "system":
         return reply[HEADER_SIZE : HEADER_SIZE + 1] == command[HEADER_SIZE : HEADER_SIZE + 1] != b"\0"

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from ev3proto.dialogue import Exchange, Transfer, Value, values_of
 from ev3proto.errors import Error, Fault
-from ev3proto.messages import Message
+from ev3proto.messages import Message, own_fault
 from ev3proto.schema.discovery import Beacon, Unlock
 from ev3proto.schema.frame import FrameReader
 from ev3proto.schema.header import HEADER_SIZE, frame_size
@@ -273,8 +273,7 @@ class Record:
     @property
     def fault(self) -> Fault | None:
         """What is wrong with the frame, unless only its end is missing here."""
-        fault = self.message.fault
-        return None if fault is None or (self.missing and fault.truncated) else fault
+        return own_fault(self.message, self.missing)
 
     @property
     def is_from_brick(self) -> bool:

@@ -107,14 +107,13 @@ def direct(operations: Operations, local_mem: int, global_mem: int, mode: SyncMo
             global_size=global_mem or None,
             local_size=local_mem or None,
         )
-    has_globals = message.wants_reply if mode is not SyncMode.SYNC else True
-    return _direct(message.build()[HEADER_SIZE:], has_globals, mode, is_named=True, dialect=dialect)
+    return _direct(message.build()[HEADER_SIZE:], message.wants_reply, mode, is_named=True, dialect=dialect)
 
 
-def _direct(body: bytes, has_globals: bool, mode: SyncMode, *, is_named: bool, dialect: str) -> Prepared:
+def _direct(body: bytes, asks: bool, mode: SyncMode, *, is_named: bool, dialect: str) -> Prepared:
     if len(body) == COMMAND_HEADER_SIZE - HEADER_SIZE:
         raise BuildError("a command needs at least one operation: the brick refuses an empty one")
-    asks = has_globals or mode is SyncMode.SYNC
+    asks |= mode is SyncMode.SYNC
     return Prepared(DIRECT_COMMAND_TYPES[asks], body, asks and mode is not SyncMode.ASYNC, is_named, dialect)
 
 

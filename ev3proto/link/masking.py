@@ -52,6 +52,8 @@ _ADDRESS = re.compile(
 """An IPv4, IPv6 or MAC address, or a serial number."""
 
 _NUMBERS = (FieldKind.U8, FieldKind.U16, FieldKind.U32)
+_PLACES = range(-1, MAX_FRAME)
+"""Offsets in memory, and lengths, of which -1 is "all"."""
 
 
 class Counters:
@@ -121,14 +123,12 @@ def _code(frame: bytes, operations: tuple[Operation, ...], start: int) -> bytes:
 
 def _is_public(argument: Argument, operation: Operation) -> bool:
     """Returns whether an argument is a place in memory, a length, or a number that is declared public."""
-    declaration, number = operation.declaration, whole_number(argument)
-    lengths = {one.length for one in declaration.parameters} | (
-        {declaration.tail.counter.name} if declaration.tail else set()
-    )
-    if argument.is_variable or argument.name in lengths:
-        return (argument.value if argument.is_variable else number if number is not None else MAX_FRAME) in range(
-            -1, MAX_FRAME
-        )
+    declaration = operation.declaration
+    lengths = {one.length for one in declaration.parameters} | {declaration.tail and declaration.tail.counter.name}
+    if argument.is_variable:
+        return argument.value in _PLACES
+    if argument.name in lengths:
+        return whole_number(argument) in _PLACES
     is_number = argument.kind == CONSTANT and not argument.form.handle and argument.parameter.type is not Type.STRING
     is_legal = is_number and judged(facts_of(argument.parameter), argument) is None
     return is_legal and not declaration.is_newer and public_of(operation.full_name) is not None
@@ -143,7 +143,7 @@ def _without_value(argument: Argument) -> bytes:
 
 def _memory(frame: bytes, reply: DirectReply, asked: Message | None) -> bytes:
     hidden = bytearray(_written_over(frame))
-    if reply.is_error or not isinstance(asked, DirectCommand) or asked.fault is not None or any(blamed(asked)):
+    if reply.is_error or not isinstance(asked, DirectCommand) or any(blamed(asked)):
         return bytes(hidden)
     # What only reads has no jumps and no ends: all outputs are written.
     shown = {

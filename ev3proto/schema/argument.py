@@ -17,7 +17,6 @@ from ev3proto.tables.encoding import (
     ADDRESS_BIT,
     BITS,
     CONSTANT,
-    CONSTANT_RANGES,
     ENCODINGS,
     GLOBAL,
     HANDLE_BIT,
@@ -194,19 +193,7 @@ class ArgumentSchema:
     def _constant(self, value: Any) -> bytes:
         parameter = self.parameter
         if isinstance(value, str):
-            number = parameter.number_of(value)
-            if number is not None:
-                return encode_integer(number)
-            if parameter.type is Type.ARRAY_TYPED and len(value) == 1:
-                return encode_integer(encode_string(value, parameter.name)[1])
-            if parameter.type is not Type.STRING and parameter.length is None and not parameter.any_type:
-                expected = "a number"
-                if parameter.enum is not None:
-                    expected = f"a name of {parameter.enum.name} or a number"
-                elif parameter.names:
-                    expected = f"one of {', '.join(parameter.names)} or a number"
-                raise BuildError(f"{parameter.name} takes {expected} or a variable, not {value!r}")
-            return encode_string(value, parameter.name)
+            return self._text(value)
         if not isinstance(value, int | float):
             raise BuildError(f"{parameter.name} cannot be {value!r}: it is a {parameter.label}")
         if parameter.type is Type.STRING:
@@ -216,16 +203,32 @@ class ArgumentSchema:
             return encode_float(value, parameter.name)
         return self._integer(value)
 
+    def _text(self, value: str) -> bytes:
+        parameter = self.parameter
+        number = parameter.number_of(value)
+        if number is not None:
+            return encode_integer(number)
+        if parameter.type is Type.ARRAY_TYPED and len(value) == 1:
+            return encode_integer(encode_string(value, parameter.name)[1])
+        if parameter.type is not Type.STRING and parameter.length is None and not parameter.any_type:
+            expected = "a number"
+            if parameter.enum is not None:
+                expected = f"a name of {parameter.enum.name} or a number"
+            elif parameter.names:
+                expected = f"one of {', '.join(parameter.names)} or a number"
+            raise BuildError(f"{parameter.name} takes {expected} or a variable, not {value!r}")
+        return encode_string(value, parameter.name)
+
     def _integer(self, value: float) -> bytes:
         parameter = self.parameter
         limits = limits_of(parameter)
         assert limits is not None
-        if parameter.unsigned and limits.high < value <= BITS[parameter.type][-1]:
+        low, high = limits.low, BITS[parameter.type][-1] if parameter.unsigned else limits.high
+        if limits.high < value <= high:
             value += 2 * limits.nan
         if (value != value and not parameter.unsigned) or value == limits.nan:
             return encode_as(_NAN_ENCODING.get(parameter.type.size, "LC4"), limits.nan)
         if not limits.low <= value <= limits.high or value != int(value):
-            low, high = limits.low, BITS[parameter.type][-1] if parameter.unsigned else limits.high
             said = f"a {parameter.label} is a whole number from {low} to {high}"
             if parameter.range is not None:
                 unit = f" {parameter.unit}" if parameter.unit else ""
@@ -338,6 +341,10 @@ def with_bits(encoded: bytes, *, handle: bool = False, address: bool = False) ->
     return bytes((encoded[0] | HANDLE_BIT * handle | ADDRESS_BIT * address,)) + encoded[1:]
 
 
+_PATTERNS = {width: range(-(1 << bits - 1), 1 << bits - 1) for width, bits in ((0, 6), (1, 8), (2, 16), (4, 32))}
+"""The constants of each width, "not a number" among them."""
+
+
 def encode_as(name: str, value: int | float | str) -> bytes:
     """Returns a value in any encoding by name: `encode_as("LC2", 5)`. Raises BuildError if it does not fit."""
     try:
@@ -353,15 +360,10 @@ def encode_as(name: str, value: int | float | str) -> bytes:
         return encode_float(value)
     if not isinstance(value, int):
         raise BuildError(f"{name} holds a whole number, not {value!r}")
-    is_variable = encoding.kind in (LOCAL, GLOBAL)
+    assert encoding.width is not None
+    numbers = (INDEX_RANGES if encoding.kind in (LOCAL, GLOBAL) else _PATTERNS)[encoding.width]
+    if value not in numbers:
+        raise BuildError(f"{name} cannot hold {value}: it is limited to {numbers[0]} to {numbers[-1]}")
     if encoding.width == 0:
-        numbers = (INDEX_RANGES if is_variable else CONSTANT_RANGES)[0]
-        if value not in numbers:
-            raise BuildError(f"{name} cannot hold {value}: it is limited to {numbers[0]} to {numbers[-1]}")
         return bytes((head | value & 0x3F,))
-    try:
-        return bytes((head,)) + struct.pack(f"<{encoding.letter}", value)
-    except struct.error:
-        bits = 8 * (encoding.width or 1)
-        low, high = (0, (1 << bits) - 1) if is_variable else (-(1 << bits - 1), (1 << bits - 1) - 1)
-        raise BuildError(f"{name} cannot hold {value}: it is limited to {low} to {high}") from None
+    return bytes((head,)) + struct.pack(f"<{encoding.letter}", value)

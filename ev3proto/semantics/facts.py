@@ -5,9 +5,10 @@ The checker, the verdict, the drafts of operations, and everything about memory 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from copy import copy
 from functools import cache, cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
@@ -55,6 +56,15 @@ def requirement(parameter: Parameter) -> Requirement:
     return _REQUIREMENTS[Type.DATA32 if parameter.role is Role.JUMP else parameter.validated or parameter.type]
 
 
+def _rooms(parameter: Parameter, *, is_element: bool) -> tuple[int | None, int | None]:
+    """Returns the maximum bytes of one value, and those to reserve for it; None if unknown."""
+    if parameter.type is Type.ARRAY_TYPED:
+        # The elements of a mailbox may be texts, those of an array are numbers.
+        return None if is_element else UNTYPED_SIZE, UNTYPED_SIZE
+    size = None if parameter.type is Type.STRING and parameter.length is None else max(parameter.type.size, 1)
+    return size, size
+
+
 _NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
 
 
@@ -84,34 +94,26 @@ class ParameterFacts:
     """
 
     def __init__(
-        self, parameter: Parameter, indexes: dict[str, int], *, is_first: bool = False, is_element: bool = False
+        self, parameter: Parameter, indexes: Mapping[Any, int], *, is_first: bool = False, is_element: bool = False
     ) -> None:
-        kind, direction = parameter.type, parameter.direction
+        kind, direction, length = parameter.type, parameter.direction, parameter.length
         is_untyped = kind is Type.ARRAY_TYPED
         self.parameter = parameter
         self.is_first = is_first
         self.limits: NumberRange | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
         self.validated = _NOT_VALIDATED if is_element else requirement(parameter)
         self.is_text = kind is Type.STRING
-        self.size = size = max(kind.size, 1)
-        self.most: int | None = size
-        self.room: int | None = UNTYPED_SIZE if is_untyped else size
-        if self.is_text and parameter.length is None:
-            self.most = self.room = None
-        elif is_untyped:
-            # The elements of a mailbox may be texts, those of an array are numbers.
-            self.most = None if is_element else UNTYPED_SIZE
-        length = parameter.length
+        self.size = max(kind.size, 1)
+        self.most, self.room = _rooms(parameter, is_element=is_element)
         self.fixed_length = length if isinstance(length, int) else None
-        self.length = indexes.get(length) if isinstance(length, str) else None
-        self.indexed_by = None if parameter.indexed_by is None else indexes.get(parameter.indexed_by)
+        self.length, self.indexed_by = indexes.get(length), indexes.get(parameter.indexed_by)
         self.is_counted = length is not None or parameter.indexed_by is not None
         self.is_array = self.is_text or is_untyped or self.is_counted
         self.is_read = not parameter.stores and direction is not Direction.OUT
         self.is_written = parameter.stores or direction is not Direction.IN
         self.is_result = direction is not Direction.IN
         self.validator_alignment = self.validated.alignment
-        self.cpu_alignment = 1 if kind is Type.LABEL else size
+        self.cpu_alignment = 1 if kind is Type.LABEL else self.size
         self.alignment = max(self.validator_alignment, self.cpu_alignment, UNTYPED_SIZE if is_untyped else 1)
         self._marked: dict[tuple[bool, bool], ParameterFacts] = {}
 

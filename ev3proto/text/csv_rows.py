@@ -15,6 +15,7 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.semantics.replies import field_values
@@ -56,12 +57,13 @@ def rows(exchange: Exchange, unknown: frozenset[int] = frozenset(), missing: int
     for row in () if message.flaw.headless else _body(exchange, unknown):
         is_empty = False
         yield row
-    if missing and (message.fault is None or message.fault.truncated):
+    fault = own_fault(message, missing)
+    if fault is not None:
+        yield CsvRow(fault.offset, "", "fault", fault.reason)
+    elif missing:
         yield CsvRow(len(message.build()), "", "missing", missing, "bytes")
-    elif message.fault is not None:
-        yield CsvRow(message.fault.offset, "", "fault", message.fault.reason)
     elif is_empty:
-        yield from _status(message, of=_of(message))
+        yield from _status(message)
     if exchange.note is not None:
         yield CsvRow(0, "", "note", exchange.note)
 
@@ -72,22 +74,21 @@ def _of(message: Message) -> str:
 
 def _body(exchange: Exchange, unknown: frozenset[int]) -> Iterator[CsvRow]:
     message = exchange.message
-    of = _of(message)
     match message:
         case DirectCommand():
             yield from _operations(message.operations, unknown)
         case DirectReply():
             if message.is_error:
-                yield from _status(message, of)
+                yield from _status(message)
             yield from _values(exchange.values)
             if message.memory and not exchange.values:
-                yield CsvRow(HEADER_SIZE, of, "memory", spaced_hex(message.memory))
+                yield CsvRow(HEADER_SIZE, "", "memory", spaced_hex(message.memory))
         case SystemCommand() | SystemReply():
             if isinstance(message, SystemReply) and message.status_code:
-                yield from _status(message, of)
+                yield from _status(message)
             yield from _values(field_values(message), unknown)
         case DaisyCommand() | DaisyReply():
-            at = HEADER_SIZE + isinstance(message, DaisyCommand)
+            at, of = HEADER_SIZE + isinstance(message, DaisyCommand), _of(message)
             yield CsvRow(at, of, "layer_from", message.layer_from)
             yield CsvRow(at + 1, of, "layer_to", message.layer_to)
             if isinstance(message, DaisyCommand) and message.operations:
@@ -96,14 +97,14 @@ def _body(exchange: Exchange, unknown: frozenset[int]) -> Iterator[CsvRow]:
                 yield CsvRow(at + 2, of, "payload", spaced_hex(message.payload))
 
 
-def _status(message: Message, of: str) -> Iterator[CsvRow]:
+def _status(message: Message) -> Iterator[CsvRow]:
     """Yields whether a command succeeded; of a command that has no arguments, its name alone."""
     if isinstance(message, SystemReply):
-        yield CsvRow(HEADER_SIZE + 1, of, "status", status_name(message))
+        yield CsvRow(HEADER_SIZE + 1, command_name(message), "status", status_name(message))
     elif message.type is not None and not message.type.is_command:
-        yield CsvRow(_TYPE, of, "status", "error" if message.type.is_error else "ok")
+        yield CsvRow(_TYPE, _of(message), "status", "error" if message.type.is_error else "ok")
     else:
-        yield CsvRow(_TYPE, of, "", "")
+        yield CsvRow(_TYPE, _of(message), "", "")
 
 
 def _operations(operations: Iterable[Operation], unknown: frozenset[int]) -> Iterator[CsvRow]:

@@ -20,6 +20,7 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.schema.frame import parse
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
@@ -106,6 +107,12 @@ def status_name(message: SystemReply) -> str:
     if lacks_status(message):
         return "no status"
     return f"status {message.status_code}" if message.status is None else message.status.name
+
+
+def refusal_meaning(message: SystemReply) -> str:
+    """Returns what the status of a failed command means, ` (the file is open)`; empty where nothing is known."""
+    meaning = status_meaning(message.number, message.status_code) if message.is_error else None
+    return f" ({meaning})" if meaning else ""
 
 
 def argument_value(argument: Argument) -> str:
@@ -229,10 +236,11 @@ _MOST_TEXT = 60
 
 
 def _after(message: Message, missing: int) -> Spans:
-    """Returns the fault of a message, unless it is that its last bytes are missing here."""
-    if missing and (message.fault is None or message.fault.truncated):
-        return [(f" (the last {counted(missing, 'byte')} are missing)", Role.MEANING)]
-    return [] if message.fault is None else [(f" (fault at {message.fault})", Role.FAULT)]
+    """Returns the fault of a message, or that its last bytes are missing here."""
+    fault = own_fault(message, missing)
+    if fault is not None:
+        return [(f" (fault at {fault})", Role.FAULT)]
+    return [(f" (the last {counted(missing, 'byte')} are missing)", Role.MEANING)] if missing else []
 
 
 def command_spans(message: Message, missing: int = 0) -> Spans:
@@ -258,10 +266,10 @@ def command_spans(message: Message, missing: int = 0) -> Spans:
 
 def reply_spans(exchange: Exchange, missing: int = 0) -> Spans:
     """Returns what a reply says: its values, or whether the command succeeded. `missing` as for commands."""
-    message = exchange.message
-    if missing and (message.fault is None or message.fault.truncated):
-        return _result(exchange) + _after(message, missing)
-    return [(f"fault at {message.fault}", Role.FAULT)] if message.fault is not None else _result(exchange)
+    fault = own_fault(exchange.message, missing)
+    if fault is not None:
+        return [(f"fault at {fault}", Role.FAULT)]
+    return _result(exchange) + _after(exchange.message, missing)
 
 
 def _result(exchange: Exchange) -> Spans:
@@ -269,8 +277,7 @@ def _result(exchange: Exchange) -> Spans:
     if message.type is not None and message.type.is_command:
         return [("fault: the request came back in place of a reply", Role.FAULT)]
     if isinstance(message, SystemReply):
-        meaning = status_meaning(message.number, message.status_code) if message.is_error else None
-        said: Spans = [(f" ({meaning})", Role.MEANING)] if meaning else []
+        said: Spans = [(why, Role.MEANING)] if (why := refusal_meaning(message)) else []
         return [(status_name(message), Role.FAULT if message.is_error else Role.VALUE), *_fields(message), *said]
     if message.type is not None and message.type.is_error:
         reason = _refusal(exchange.request)

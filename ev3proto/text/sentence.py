@@ -20,12 +20,21 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.tables.declaration import Role
 from ev3proto.tables.encoding import GLOBAL, LOCAL, TEXT
 from ev3proto.tables.output import LETTERS
-from ev3proto.tables.system import SYSTEM_BY_NUMBER, status_meaning
-from ev3proto.text.phrases import argument_value, command_name, plain, short_text, status_name, value_text
+from ev3proto.tables.system import SYSTEM_BY_NUMBER
+from ev3proto.text.phrases import (
+    argument_value,
+    command_name,
+    plain,
+    refusal_meaning,
+    short_text,
+    status_name,
+    value_text,
+)
 
 MOST_OPERATIONS = 4
 """Maximum number of operations that a sentence describes."""
@@ -52,13 +61,12 @@ def sentence(exchange: Exchange, missing: int = 0) -> str:
     Returns:
         A sentence that begins with a capital letter and ends with a full stop.
     """
-    message = exchange.message
-    text = deed(exchange)
-    if missing and (message.fault is None or message.fault.truncated):
+    text, fault = deed(exchange), own_fault(exchange.message, missing)
+    if fault is not None:
+        wrong = f"wrong at offset {fault.offset}: {fault.reason.partition(': ')[0]}"
+        text = f"{text}; but it is {wrong}" if text else wrong
+    elif missing:
         text = f"{text or 'a frame'}; its last {counted(missing, 'byte')} are missing"
-    elif message.fault is not None:
-        fault = f"wrong at offset {message.fault.offset}: {message.fault.reason.partition(': ')[0]}"
-        text = f"{text}; but it is {fault}" if text else fault
     text = text or "not an EV3 message"
     return f"{text[0].upper()}{text[1:]}."
 
@@ -209,9 +217,7 @@ def _with_given(text: str, given: list[str]) -> str:
 def _answer(exchange: Exchange, message: DirectReply | DaisyReply | SystemReply) -> str:
     what = f"answers command {message.counter}"
     if isinstance(message, SystemReply):
-        meaning = status_meaning(message.number, message.status_code) if message.is_error else None
-        said = f"{command_name(message)} {status_name(message)}{f' ({meaning})' if meaning else ''}"
-        return f"{what}: {said}"
+        return f"{what}: {command_name(message)} {status_name(message)}{refusal_meaning(message)}"
     if message.type is not None and message.type.is_error:
         return f"{what}: it failed"
     shown = [

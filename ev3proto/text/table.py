@@ -20,6 +20,7 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.schema.header import HEADER_SIZE
 from ev3proto.text.phrases import Seen, argument_value, field_texts, heading, plain, value_text
@@ -81,8 +82,9 @@ def table(exchange: Exchange, seen: Seen) -> Iterator[Line]:
         for name, _, meaning in field_texts(message):
             if meaning:
                 yield Line([(f"{message.command} {name} = {meaning}", Role.VALUE)])
-    if message.fault is not None and not (seen.missing and message.fault.truncated):
-        yield Line([(f"fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
+    fault = own_fault(message, seen.missing)
+    if fault is not None:
+        yield Line([(f"fault at {fault}", Role.FAULT)], fault.offset, 1)
 
 
 def _bands(cells: list[Cell]) -> Iterator[list[Cell]]:

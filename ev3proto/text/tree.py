@@ -15,6 +15,7 @@ from ev3proto.messages import (
     Operation,
     SystemCommand,
     SystemReply,
+    own_fault,
 )
 from ev3proto.schema.header import HEADER_SIZE, MEMORY_SIZE
 from ev3proto.semantics.readings import datasets_of
@@ -56,7 +57,7 @@ def tree(exchange: Exchange, seen: Seen) -> Iterator[Line]:
             yield from _system(message, exchange.transfer, seen.unknown)
         case DaisyCommand() | DaisyReply() if not message.flaw.headless:
             yield from _daisy(message)
-    yield from _fault(message, size, is_cut=seen.missing > 0)
+    yield from _fault(message, size, seen.missing)
 
 
 def operation_lines(operation: Operation, unknown: frozenset[int] = frozenset()) -> list[Line]:
@@ -160,15 +161,14 @@ def _daisy(message: DaisyCommand | DaisyReply) -> Iterator[Line]:
         yield Line([(f"        payload {plain(message.payload)}", Role.PLAIN)])
 
 
-def _fault(message: Message, size: int, *, is_cut: bool) -> Iterator[Line]:
-    if message.fault is None:
-        return
+def _fault(message: Message, size: int, missing: int) -> Iterator[Line]:
+    fault = own_fault(message, missing)
     if message.rest:
         shown = spaced_hex(message.rest[:_MOST_REST]) + (" ..." if len(message.rest) > _MOST_REST else "")
         spans = [("        not read: ", Role.ASIDE), (shown, Role.PLAIN), (_letters(message.rest), Role.MEANING)]
         yield Line(spans, size - len(message.rest), len(message.rest))
-    if not (is_cut and message.fault.truncated):
-        yield Line([(f"  fault at {message.fault}", Role.FAULT)], message.fault.offset, 1)
+    if fault is not None:
+        yield Line([(f"  fault at {fault}", Role.FAULT)], fault.offset, 1)
 
 
 def _letters(rest: bytes) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from ev3proto.capture.record import NANOSECONDS
@@ -162,13 +162,9 @@ class _Chart:
     # Rows
 
     def _panel(self, brick: str, tally: Tally, bricks: set[str]) -> None:
-        number, timeline = len(self.views), self._timeline
-        lanes: Counter[Lane] = Counter()
-        marks = [mark for mark in timeline.marks if mark.lane.brick in bricks]
-        for (lane, _), cell in timeline.cells.items():
-            lanes[lane] += cell.count if lane.brick in bricks else 0
-        if not timeline.cells:
-            lanes.update(mark.lane for mark in marks if mark.lane.kind is not LaneKind.FILES)
+        number = len(self.views)
+        marks = [mark for mark in self._timeline.marks if mark.lane.brick in bricks]
+        lanes = self._counted(bricks) or Counter(mark.lane for mark in marks)
         rows: list[str] = []
         bands: list[Json] = []
         data: dict[str, list[Json]] = {}
@@ -178,7 +174,7 @@ class _Chart:
             if kind is LaneKind.FILES:
                 data |= self._files((mark for mark in marks if mark.lane.kind is kind), number, rows)
             else:
-                self._rows(Counter({lane: n for lane, n in lanes.items() if lane.kind is kind and n}), rows, row_of)
+                self._rows({lane: n for lane, n in lanes.items() if lane.kind is kind}, rows, row_of)
             shaded = len({band["kind"] for band in bands}) % 2 == 0
             bands += [
                 {"row": row, "kind": kind.value, "first": row == rows[start], "shaded": shaded} for row in rows[start:]
@@ -199,7 +195,15 @@ class _Chart:
             aside += [f"median answer {duration(latency.median)}", f"slowest {duration(latency.max)}"]
         self.views.append(self._view(number, rows) | {"title": _heading(brick, [", ".join(aside)])})
 
-    def _rows(self, lanes: Counter[Lane], rows: list[str], row_of: dict[Lane, str]) -> None:
+    def _counted(self, bricks: set[str]) -> Counter[Lane]:
+        """Returns the numbers of marks that are only counted, by lane."""
+        counts: Counter[Lane] = Counter()
+        for (lane, _), cell in self._timeline.cells.items():
+            if lane.brick in bricks:
+                counts[lane] += cell.count
+        return counts
+
+    def _rows(self, lanes: Mapping[Lane, int], rows: list[str], row_of: dict[Lane, str]) -> None:
         subjects: Counter[str] = Counter()
         for lane, number in lanes.items():
             subjects[lane.subject] += number
@@ -208,7 +212,7 @@ class _Chart:
         rest = len(subjects) - len(own)
         names = [subject for subject in subjects if subject in own]
         if rest:
-            names.append(f"{rest} others" if rest > 1 or OTHERS not in subjects else OTHERS)
+            names.append(f"{rest} others" if rest > 1 else OTHERS)
         found = {name: f"{number}/{name}" for number, name in enumerate(names, len(rows))}
         rows += found.values()
         row_of |= {lane: found[lane.subject if lane.subject in own else names[-1]] for lane in lanes}

@@ -145,13 +145,14 @@ class _Collector:
         ]
         if math.isinf(self._begin) or self._origin is None:
             return None
+        cells, width = ({}, 0.0) if self._bins is None else (self._bins.cells, self._bins.width_ns / NANOSECONDS)
         return Timeline(
             origin_ns=self._origin,
             begin=self._begin if self._window.first is None else self._first,
             end=self._end if self._window.last is None else self._last,
             marks=sorted([*self._marks, *files], key=lambda mark: mark.begin),
-            cells=self._bins.cells if self._bins else {},
-            bin_width=self._bins.width_ns / NANOSECONDS if self._bins else 0,
+            cells=cells,
+            bin_width=width,
             bricks={name: tally for name, tally in self._bricks.items() if tally.messages or tally.outcomes},
             unshown=self._unshown,
             is_timed=self._is_timed,
@@ -190,10 +191,11 @@ class _Collector:
         assert seen.message.type is not None
         subject = _subject(seen.message)
         lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], subject)
-        end = self._at(reply) if command and reply else None
-        mark = Mark(lane, _outcome(command, reply), self._at(seen), end, "", {}, seen.number)
-        if command and reply and self._is_timed and reply.latency is not None:
-            mark.latency = max(reply.latency, 0.0)
+        mark = Mark(lane, _outcome(command, reply), self._at(seen), None, "", {}, seen.number)
+        if command and reply:
+            mark.end = self._at(reply)
+            if self._is_timed and reply.latency is not None:
+                mark.latency = max(reply.latency, 0.0)
         if self._bins is None or (mark.outcome in TROUBLES and len(self._marks) < MOST_TROUBLES):
             details = _exchange_details(command, reply)
             if mark.latency is not None:
@@ -270,23 +272,22 @@ class _Collector:
         self._begin = min(self._begin, mark.begin)
         self._end = max(self._end, mark.begin if mark.end is None else mark.end)
         self._bricks[mark.lane.brick].add(mark)
-        if self._bins is not None:
-            self._count(self._bins, mark)
-            return
-        self._marks.append(mark)
-        if len(self._marks) > self._most_marks:
-            marks, self._marks, self._bins = self._marks, [], Bins()
-            for each in marks:
-                self._count(self._bins, each)
+        new = [mark]
+        if self._bins is None:
+            self._marks.append(mark)
+            if len(self._marks) <= self._most_marks:
+                return
+            new, self._marks, self._bins = self._marks, [], Bins()
+        for each in new:
+            self._count(self._bins, each)
 
     def _count(self, bins: Bins, mark: Mark) -> None:
         bins.add(mark)
-        if mark.outcome not in TROUBLES:
-            return
-        if len(self._marks) < MOST_TROUBLES:
-            self._marks.append(mark)
-        else:
-            self._unshown += 1
+        if mark.outcome in TROUBLES:
+            if len(self._marks) < MOST_TROUBLES:
+                self._marks.append(mark)
+            else:
+                self._unshown += 1
 
 
 # Texts. Those from the network can be long, and contain characters that reorder the text around them: see `clean`.
@@ -362,10 +363,10 @@ def _exchange_label(command: Record | None, reply: Record | None) -> str:
     """Returns the values of the reply; without a reply, the arguments of a single operation."""
     if reply is not None:
         if is_error(reply.message):
-            return _reply_text(reply).split(" ", 1)[0] if isinstance(reply.message, SystemReply) else "error"
+            return _reply_text(reply).split(" ", 1)[0]
         values = [] if isinstance(reply.message, SystemReply) else reply.values[:MOST_TOLD]
         return clean(", ".join(map(value_text, values)), MOST_LABEL)
-    message = command.message if command is not None else Message()
+    message = command and command.message
     if not isinstance(message, DirectCommand) or message.wants_reply or len(message.operations) != 1:
         return ""
     arguments = message.operations[0].arguments[:MOST_TOLD]

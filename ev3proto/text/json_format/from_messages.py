@@ -178,7 +178,7 @@ def _argument(argument: Argument) -> dict[str, Any]:
 
 
 def _value(value: Value) -> dict[str, Any]:
-    entry: dict[str, Any] = {
+    entry = {
         "op": value.op,
         "command": value.command,
         "name": value.name,
@@ -187,13 +187,8 @@ def _value(value: Value) -> dict[str, Any]:
         "offset": value.offset,
         "length": value.length,
     }
-    if value.unit is not None:
-        entry["unit"] = value.unit
-    if value.quantity is not None:
-        entry["quantity"] = value.quantity
-    if value.symbol is not None:
-        entry["symbol"] = value.symbol
-    return entry
+    known = {"unit": value.unit, "quantity": value.quantity, "symbol": value.symbol}
+    return entry | {key: one for key, one in known.items() if one is not None}
 
 
 def _plain(value: Any) -> Any:

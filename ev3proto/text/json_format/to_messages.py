@@ -138,10 +138,9 @@ def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
         hint = near_misses(entry["type"], MessageType.__members__)
         raise RecordError(f"unknown message type {_shown(entry['type'])}{hint}") from None
     is_faulty = "fault" in entry
-    rest = _bytes(entry, "rest") if "rest" in entry else b""
     length = _whole(entry, "length", 0xFFFF) if is_faulty and "length" in entry else None
-    counter = _whole(entry, "counter", COUNTERS - 1, 0)
-    message = replace(_MAKERS[kind.kind](entry, dialect), type=kind, counter=counter, flaw=Flaw(None, rest, length))
+    counter, flaw = _whole(entry, "counter", COUNTERS - 1, 0), Flaw(None, _bytes(entry, "rest"), length)
+    message = replace(_MAKERS[kind.kind](entry, dialect), type=kind, counter=counter, flaw=flaw)
     frame = message.build()
     fault = parse(frame, strict=False, dialect=dialect).fault
     if fault is not None and not is_faulty:
@@ -158,7 +157,7 @@ def _direct_command(entry: Mapping[str, Any], dialect: str) -> Message:
 
 
 def _direct_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
-    return DirectReply(memory=_bytes(entry, "memory") if "memory" in entry else b"")
+    return DirectReply(memory=_bytes(entry, "memory"))
 
 
 def _system_command(entry: Mapping[str, Any], _dialect: str) -> Message:
@@ -173,23 +172,18 @@ def _system_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
 
 
 def _daisy_command(entry: Mapping[str, Any], dialect: str) -> Message:
-    fields = _object(entry, "fields")
-    operations = b"".join(one.raw for one in _operations(entry, dialect)) if entry.get("operations") else None
-    return DaisyCommand(
-        number=_whole(entry, "number", 0xFF),
-        layer_from=_whole(fields, "layer_from", 0xFF, 0),
-        layer_to=_whole(fields, "layer_to", 0xFF, 0),
-        payload=_payload(fields) if operations is None else operations,
-    )
+    sent, code = _sent_on(entry), b"".join(one.raw for one in _operations(entry, dialect))
+    return DaisyCommand(number=_whole(entry, "number", 0xFF), **sent | ({"payload": code} if code else {}))
 
 
 def _daisy_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+    return DaisyReply(**_sent_on(entry))
+
+
+def _sent_on(entry: Mapping[str, Any]) -> dict[str, Any]:
     fields = _object(entry, "fields")
-    return DaisyReply(
-        layer_from=_whole(fields, "layer_from", 0xFF, 0),
-        layer_to=_whole(fields, "layer_to", 0xFF, 0),
-        payload=_payload(fields),
-    )
+    layers = {name: _whole(fields, name, 0xFF, 0) for name in ("layer_from", "layer_to")}
+    return {**layers, "payload": _bytes(fields, "payload")}
 
 
 _MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
@@ -200,10 +194,6 @@ _MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
     "daisy-command": _daisy_command,
     "daisy-reply": _daisy_reply,
 }
-
-
-def _payload(fields: Mapping[str, Any]) -> bytes:
-    return _bytes(fields, "payload") if "payload" in fields else b""
 
 
 def _number(entry: Mapping[str, Any]) -> int:
@@ -330,8 +320,8 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 40 else f"{text[:40]}..."
 
 
-def _text(entry: Mapping[str, Any], key: str) -> str:
-    value = entry.get(key)
+def _text(entry: Mapping[str, Any], key: str, default: str | None = None) -> str:
+    value = entry.get(key, default)
     if not isinstance(value, str):
         raise RecordError(f"{key} takes a text, not {_shown(value)}")
     return value
@@ -346,7 +336,7 @@ def _object(entry: Mapping[str, Any], key: str) -> Mapping[str, Any]:
 
 def _bytes(entry: Mapping[str, Any], key: str) -> bytes:
     try:
-        return bytes.fromhex(_text(entry, key))
+        return bytes.fromhex(_text(entry, key, ""))
     except ValueError:
         raise RecordError(f"{key} takes bytes in hex, not {_shown(entry.get(key))}") from None
 

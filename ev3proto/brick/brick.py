@@ -380,8 +380,7 @@ class Brick:
         now = thread_time()
         has_waited = False
         while program.status == RUNNING:
-            is_endless = command.executed >= MOST_OPERATIONS or command.spent > MOST_PROCESSOR_SECONDS
-            if is_endless or self.microseconds - program.started >= MOST_SECONDS * 1_000_000:
+            if command.is_endless(self.microseconds):
                 self.machine.end_program(program, FAIL)
                 self.has_ended_command = True
                 break
@@ -391,9 +390,7 @@ class Brick:
             if not is_waiting:
                 command.executed += max(OPERATIONS_OF_A_TURN, executed)
                 command.spent += now - begun
-            if program.status != RUNNING:
-                break
-            if now > self._deadline or (is_waiting and has_waited):
+            if program.status == RUNNING and (now > self._deadline or (is_waiting and has_waited)):
                 self.is_computing = not is_waiting
                 return False
             # Repeated once immediately: some operations wait only for what they have changed themselves.
@@ -470,3 +467,8 @@ class _Command:
     global_size: int
     executed: int = 0  # operations so far, without those that waited
     spent: float = 0.0  # CPU seconds of this computer that it has computed
+
+    def is_endless(self, now: int) -> bool:
+        """Returns whether it is to be ended, at a time in microseconds."""
+        has_computed = self.executed >= MOST_OPERATIONS or self.spent > MOST_PROCESSOR_SECONDS
+        return has_computed or now - self.program.started >= MOST_SECONDS * 1_000_000

@@ -160,7 +160,7 @@ class Machine:
         except (Failure, IndexError, ValueError, struct.error, OSError) as failure:
             # Reading code beyond its end raises IndexError, a text in it without an end ValueError, a short
             # variable beyond the memory a struct.error, a full disk an OSError.
-            self._fail(program, "INSTRUCTION" if isinstance(failure, NoOperation) else "FAIL")
+            self._fail(program, failure)
         except Exception:
             # A defect, which would occur again at each turn.
             self.end_program(program, FAIL)
@@ -204,9 +204,10 @@ class Machine:
         finally:
             self._left = left
 
-    def _fail(self, program: Program, reason: str) -> None:
+    def _fail(self, program: Program, failure: Exception) -> None:
         """Ends a program, and logs why; commands are not logged."""
         if program.slot != CMD_SLOT:
+            reason = "INSTRUCTION" if isinstance(failure, NoOperation) else "FAIL"
             self.brick.settings.log_error(f"VM_PROGRAM_{reason}_BREAK")
         self.end_program(program, FAIL)
 

@@ -128,9 +128,6 @@ def _values() -> Iterator[tuple[str, Constant]]:
         for command in opcode.commands:
             yield command.name, encode_integer(command.number)
     yield from _members()
-    for entry in SYSTEM:
-        if not entry.bootloader:
-            yield entry.name, bytes((entry.number,))
     for status in SystemStatus:
         yield f"SYSTEM_{status.name}", bytes((status,))
     yield from _ports()
@@ -138,9 +135,8 @@ def _values() -> Iterator[tuple[str, Constant]]:
     yield from _SENSOR_COLORS.items()
     yield from CONSTANTS.items()
     yield from _OPTIONS.items()
-    for entry in SYSTEM:
-        if entry.bootloader:
-            yield entry.name, bytes((entry.number,))
+    # Some of the bootloader have names of the firmware's.
+    yield from ((entry.name, bytes((entry.number,))) for entry in sorted(SYSTEM, key=lambda entry: entry.bootloader))
 
 
 def _spelled(word: str) -> str:

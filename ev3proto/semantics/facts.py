@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from ev3proto.messages import OperationReader
 from ev3proto.semantics.domain import Domain, domain_of
 from ev3proto.tables.declaration import Direction, Effect, Parameter, Role, Type
-from ev3proto.tables.encoding import RANGES, NumberRange, limits_of
+from ev3proto.tables.encoding import RANGES, limits_of
 from ev3proto.tables.validation import LABELS
 
 UNTYPED_SIZE = 4
@@ -65,7 +65,7 @@ def _rooms(parameter: Parameter, *, is_element: bool) -> tuple[int | None, int |
     return size, size
 
 
-_NUMBERS = (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)
+_LIMITS = {kind: RANGES[kind] for kind in (Type.DATA8, Type.DATA16, Type.DATA32, Type.HANDLE)}
 
 
 class ParameterFacts:
@@ -100,7 +100,7 @@ class ParameterFacts:
         is_untyped = kind is Type.ARRAY_TYPED
         self.parameter = parameter
         self.is_first = is_first
-        self.limits: NumberRange | None = RANGES[kind] if kind in _NUMBERS and not parameter.counts else None
+        self.limits = None if parameter.counts else _LIMITS.get(kind)
         self.validated = _NOT_VALIDATED if is_element else requirement(parameter)
         self.is_text = kind is Type.STRING
         self.size = max(kind.size, 1)
@@ -114,7 +114,7 @@ class ParameterFacts:
         self.is_result = direction is not Direction.IN
         self.validator_alignment = self.validated.alignment
         self.cpu_alignment = 1 if kind is Type.LABEL else self.size
-        self.alignment = max(self.validator_alignment, self.cpu_alignment, UNTYPED_SIZE if is_untyped else 1)
+        self.alignment = max(self.validator_alignment, self.cpu_alignment, UNTYPED_SIZE * is_untyped)
         self._marked: dict[tuple[bool, bool], ParameterFacts] = {}
 
     def marked(self, handle: bool, address: bool) -> ParameterFacts:

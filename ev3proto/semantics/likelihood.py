@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 from typing import NamedTuple
 
@@ -39,9 +38,9 @@ def rarity(schema: OperationSchema) -> float:
     """Returns the cost of an operation itself, whatever its arguments."""
     declaration = schema.declaration
     cost = sum(_RARE_EFFECTS.get(effect, 0.0) for effect in declaration.effects)
-    cost += 0.0 if declaration.opcode.number in _USUAL else _UNUSUAL
-    cost += _NO_OPERATION if not declaration.parameters and not declaration.effects else 0.0
-    return cost + (_NEWER if declaration.is_newer else 0.0)
+    cost += _UNUSUAL * (declaration.opcode.number not in _USUAL)
+    cost += _NO_OPERATION * (not declaration.parameters and not declaration.effects)
+    return cost + _NEWER * declaration.is_newer
 
 
 class _Memory(NamedTuple):
@@ -56,12 +55,12 @@ def _of_variable(known: ParameterFacts, argument: Argument, memory: _Memory) -> 
     form, index = argument.form, argument.value
     assert isinstance(index, int)
     is_filled = known.is_written or known.is_counted or (form.kind, index) in memory.written
-    cost = 0.0 if is_filled else 2.5
+    cost = 2.5 * (not is_filled)
     if form.handle or form.address:
         return cost + 2.0
-    cost += 4.0 if index + known.size > (memory.globals if form.kind == GLOBAL else memory.locals) else 0.0
-    cost += 6.0 if index % known.validator_alignment else 0.0
-    return cost + (_LONGER if form.width and index < 32 else 0.0)
+    cost += 4.0 * (index + known.size > (memory.globals if form.kind == GLOBAL else memory.locals))
+    cost += 6.0 * bool(index % known.validator_alignment)
+    return cost + _LONGER * (bool(form.width) and index < 32)
 
 
 _COSTS = {
@@ -87,7 +86,7 @@ def _of_constant(known: ParameterFacts, argument: Argument, _: _Memory) -> float
     if form.handle or form.address:
         return _MARKED
     if isinstance(value, float):
-        return 0.0 if value == 0 or (math.isfinite(value) and 1e-5 < abs(value) < 1e9) else _ODD_FLOAT
+        return 0.0 if value == 0 or 1e-5 < abs(value) < 1e9 else _ODD_FLOAT
     return _layer(known, value) + (_LONGER if form.width and len(encode_integer(value)) <= form.width else 0.0)
 
 

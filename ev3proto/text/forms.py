@@ -96,7 +96,6 @@ def _body(message: Message) -> Iterator[tuple[int, str]]:
         case DirectCommand():
             memory = f"{message.global_size} bytes of global memory, {message.local_size} of local"
             yield COMMAND_HEADER_SIZE - HEADER_SIZE, memory
-            yield from ((operation.length, _told(operation)) for operation in message.operations)
         case SystemCommand() | SystemReply():
             yield 1, message.command or "no system command"
             if isinstance(message, SystemReply):
@@ -105,9 +104,9 @@ def _body(message: Message) -> Iterator[tuple[int, str]]:
         case DaisyCommand():
             yield 1, message.command or "no daisy command"
             yield 2, f"from layer {message.layer_from} to layer {message.layer_to}"
-            yield from ((operation.length, _told(operation)) for operation in message.operations)
         case DaisyReply():
             yield 2, f"from layer {message.layer_from} to layer {message.layer_to}"
+    yield from ((operation.length, _told(operation)) for operation in getattr(message, "operations", ()))
 
 
 def _fields(message: SystemCommand | SystemReply) -> Iterator[tuple[int, str]]:

@@ -142,7 +142,7 @@ def _body(message: Message, frame: bytes) -> Iterator[Cell]:
         case SystemCommand() | SystemReply():
             yield Cell("cd", frame[5:6], message.command or "?", upright=True)
             if isinstance(message, SystemReply):
-                yield Cell("st", frame[6:7], message.status.name if message.status is not None else "?", upright=True)
+                yield Cell("st", frame[6:7], getattr(message.status, "name", "?"), upright=True)
             yield from _fields(message, frame)
         case DirectReply():
             yield Cell("global memory", message.memory)

@@ -129,7 +129,7 @@ def _system(message: SystemCommand | SystemReply, transfer: Transfer | None, unk
         yield Line([(f"        {entry.text}", Role.ASIDE)])
     if isinstance(message, SystemReply) and (meaning := status_meaning(message.number, message.status_code)):
         yield Line([(f"        {meaning}", Role.MEANING)])
-    width = max((len(name) for name in message.fields), default=0)
+    width = max(map(len, message.fields), default=0)
     for (name, value, meaning), found in zip(field_texts(message), field_values(message), strict=True):
         spans = [
             ("        ", Role.PLAIN),

@@ -270,12 +270,12 @@ class _Chart:
             is_back = x + width > high
             place, room, needed = (begin, begin - before, width + beside) if is_back else (x, after - x, width)
             is_placed = bool(words) and room >= width and (not is_back or begin - width >= taken)
-            before = max(before, end)
-            beside = width if is_placed and not is_back else 0.0
-            taken = max(taken, end + _SYMBOL / 2 / self._second, x + beside)
+            before, beside = max(before, end), 0.0
             if is_placed:
+                beside = 0.0 if is_back else width
                 least = min(round(WIDTH * needed / room), WIDTH)
                 datum |= {"l": words, "x": place, "back": is_back, "w": least}
+            taken = max(taken, end + _SYMBOL / 2 / self._second, x + beside)
 
     def _cells(self, panel: int, row_of: dict[Lane, str]) -> None:
         timeline = self._timeline

@@ -177,12 +177,9 @@ def _imports(declarations: Sequence[Declaration], others: Mapping[str, Sequence[
     yield ""
     yield "from __future__ import annotations"
     yield ""
-    if "Sequence" in words:
-        yield "from collections.abc import Sequence"
-    if is_overloaded:
-        yield "from typing import overload"
-    if "Sequence" in words or is_overloaded:
-        yield ""
+    standard = ["from collections.abc import Sequence"] * ("Sequence" in words)
+    standard += ["from typing import overload"] * is_overloaded
+    yield from standard + [""] * bool(standard)
     for module, names in sorted({**others, **({"ev3proto.ops.argument_types": aliases} if aliases else {})}.items()):
         yield from imported(module, names)
     yield "from ev3proto.semantics.drafts.draft import Draft"

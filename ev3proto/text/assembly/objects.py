@@ -602,6 +602,10 @@ def _wrong_constant(parameter: Parameter, value: Meaning | None) -> str | None:
     if isinstance(value, str):
         is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8) and not parameter.counts
         return None if is_text else f"is a {parameter.label}, not a string"
+    return _wrong_number(parameter, kind, value)
+
+
+def _wrong_number(parameter: Parameter, kind: Type, value: int) -> str | None:
     if kind is Type.DATAF:
         if value in (0, CONSTANTS["DATAF_NAN"]):
             return None

@@ -258,6 +258,10 @@ class Encoder:
             return f"{name} is a label, and {parameter.name} takes none"
         if parameter is None:
             return f"unknown name {cited(name)}{near_misses(name, names.known())}"
+        return self._unknown_for(parameter, name)
+
+    def _unknown_for(self, parameter: Parameter, name: str) -> str:
+        names = self.names
         what, known = "variable or constant", names.known(parameter)
         enum = parameter.enum
         if parameter.is_output:

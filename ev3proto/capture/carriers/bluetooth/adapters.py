@@ -37,6 +37,9 @@ _RECEIVED = 1
 CONNECTED, DISCONNECTED, COMMAND_COMPLETE = 0x03, 0x05, 0x0E
 """Events."""
 
+_LEAST_OF_EVENT = {CONNECTED: 9, DISCONNECTED: 3, COMMAND_COMPLETE: 10}
+"""Bytes of an event that is whole."""
+
 READ_ADDRESS = 0x1009
 """The command that requests a controller's own address."""
 
@@ -160,11 +163,13 @@ class Bluetooth:
         if len(body) < 2:
             return
         event, rest = body[0], body[2:]
-        if event == CONNECTED and len(rest) >= 9 and rest[0] == 0:
+        if len(rest) < _LEAST_OF_EVENT.get(event, 0):
+            return
+        if event == CONNECTED and rest[0] == 0:
             yield from self._connect(adapter, _handle(rest[1:3]), _address(rest[3:9]))
-        elif event == DISCONNECTED and len(rest) >= 3 and rest[0] == 0:
+        elif event == DISCONNECTED and rest[0] == 0:
             yield from self._forget(adapter, _handle(rest[1:3]))
-        elif event == COMMAND_COMPLETE and len(rest) >= 10 and int.from_bytes(rest[1:3], "little") == READ_ADDRESS:
+        elif event == COMMAND_COMPLETE and int.from_bytes(rest[1:3], "little") == READ_ADDRESS:
             self._own.add(adapter, _address(rest[4:10]))
 
     def _connect(self, adapter: object, handle: int, address: str | None) -> Iterator[Closed | int]:

@@ -244,21 +244,18 @@ def _values(draw: DrawFn, declaration: Declaration, plain: Callable[[Parameter],
     return values
 
 
-@st.composite
-def _operations(draw: DrawFn, dialect: str, names: Names) -> Operation:
-    declaration = draw(_declarations(dialect, names))
-    return operation(declaration.name, *_values(draw, declaration, _plain_values), dialect=dialect)
-
-
 @cache
-def operations(dialect: str = "official", name: Names = None) -> SearchStrategy[Operation]:
-    """Returns operations built from values, each argument in its shortest encoding.
+@st.composite
+def operations(draw: DrawFn, dialect: str = "official", name: Names = None) -> Operation:
+    """Draws operations built from values, each argument in its shortest encoding.
 
     Args:
+        draw: Passed by hypothesis; callers omit it.
         dialect: "official", "xtended" or "compat": the firmware whose operations are drawn.
         name: One operation (`SOUND.TONE`), or several; without it all of the dialect, each as often as any other.
     """
-    return _operations(dialect, name)
+    declaration = draw(_declarations(dialect, name))
+    return operation(declaration.name, *_values(draw, declaration, _plain_values), dialect=dialect)
 
 
 # Bytes
@@ -341,9 +338,11 @@ def encoded_arguments(parameter: Parameter) -> SearchStrategy[bytes]:
     return _forms_of_variables() if parameter.is_output else _forms_of_constants(parameter) | _forms_of_variables()
 
 
+@cache
 @st.composite
-def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
-    declaration = draw(_declarations(dialect, names))
+def raw_operations(draw: DrawFn, dialect: str = "official", name: Names = None) -> bytes:
+    """Draws the bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
+    declaration = draw(_declarations(dialect, name))
     pieces = [bytes((declaration.opcode.number,))]
     if declaration.command is not None:
         pieces.append(draw(_forms(CONSTANT, declaration.command.number, signed=True, plain=True)))
@@ -364,12 +363,6 @@ def _raw_operations(draw: DrawFn, dialect: str, names: Names) -> bytes:
         else:
             pieces.append(draw(encoded_arguments(parameter)))
     return b"".join(pieces)
-
-
-@cache
-def raw_operations(dialect: str = "official", name: Names = None) -> SearchStrategy[bytes]:
-    """Returns the bytes of operations, arguments, CMD and counts in any encoding; parameters as for `operations`."""
-    return _raw_operations(dialect, name)
 
 
 # Messages
@@ -660,18 +653,14 @@ def daisy_messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStr
 
 def messages(dialect: str = "official", chosen: Choice = ALL) -> SearchStrategy[Message]:
     """Returns messages of every type, or of the chosen ones."""
-    ways: list[SearchStrategy[Message]] = []
-    if chosen.of(*_DIRECT_COMMANDS):
-        ways.append(direct_commands(dialect, chosen))
-    if chosen.of(*_DIRECT_REPLIES):
-        ways.append(direct_replies(chosen))
-    if chosen.of(*_SYSTEM_COMMANDS):
-        ways.append(system_commands(chosen))
-    if chosen.of(*_SYSTEM_REPLIES):
-        ways.append(system_replies(chosen))
-    if chosen.of(*_DAISY_COMMANDS, *_DAISY_REPLIES):
-        ways.append(daisy_messages(dialect, chosen))
-    return st.one_of(ways)
+    ways: tuple[tuple[Iterable[MessageType], Callable[[], SearchStrategy[Message]]], ...] = (
+        (_DIRECT_COMMANDS, lambda: direct_commands(dialect, chosen)),
+        (_DIRECT_REPLIES, lambda: direct_replies(chosen)),
+        (_SYSTEM_COMMANDS, lambda: system_commands(chosen)),
+        (_SYSTEM_REPLIES, lambda: system_replies(chosen)),
+        (_DAISY_COMMANDS + _DAISY_REPLIES, lambda: daisy_messages(dialect, chosen)),
+    )
+    return st.one_of([made() for types, made in ways if chosen.of(*types)])
 
 
 # Frames

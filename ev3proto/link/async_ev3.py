@@ -127,10 +127,10 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     async def _fetch(self, msg_cnt: bytes | int, verbosity: int | None, timeout: float | None) -> Result:
         ticket = self.connected.channel.ticket(counter_of(msg_cnt))
-        return ticket.result(await self._reply(ticket, verbosity, self._patience(timeout), keep=True))
+        return ticket.result(await self._reply(ticket, verbosity, self.connected._patience(timeout), keep=True))
 
     async def _send(self, prepare: Callable[[], Prepared], verbosity: int | None, timeout: float | None) -> Result:
-        prepared, patience = prepare(), self._patience(timeout)
+        prepared, patience = prepare(), self.connected._patience(timeout)
         ticket = await self._sent(prepared, verbosity)
         if prepared.waits:
             return ticket.result(await self._reply(ticket, verbosity, patience, keep=False))
@@ -145,9 +145,6 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
         except asyncio.CancelledError:
             sending.add_done_callback(lambda sent: _abandon(ev3, sent))
             raise
-
-    def _patience(self, timeout: float | None) -> float | None:
-        return self.connected._patience(timeout)
 
     async def _reply(self, ticket: Ticket, verbosity: int | None, patience: float | None, *, keep: bool) -> bytes:
         ev3 = self.connected
@@ -262,7 +259,7 @@ class AsyncEV3(Verbs[Coroutine[Any, Any, bytes], Coroutine[Any, Any, Any]]):
 
     async def _run(self, task: Task[T]) -> T:
         async with self._moving:
-            transfers, patience = OpenTransfers(), self._patience(None)
+            transfers, patience = OpenTransfers(), self.connected._patience(None)
             step: Callable[[], Command] = partial(next, task)
             try:
                 while True:

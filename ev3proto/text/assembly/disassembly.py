@@ -15,6 +15,7 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from functools import cache
+from operator import itemgetter
 from typing import NamedTuple
 
 from ev3proto.dialogue import Exchange
@@ -260,22 +261,9 @@ def labels_of(steps: Iterable[Operation], places: Sequence[int], rules: Rules, p
     goals = sorted({jump.goal for jump in jumps.values()})
     names: dict[int | None, str] = {offset: f"{prefix}{number}" for number, offset in enumerate(goals, 1)}
     forms = {offset: jump.encoding for offset, jump in jumps.items() if jump.encoding == "LAB1"}
-    # The parts of the code are the arguments of jumps, and what is between those and labels.
-    marks: list[tuple[int, int | None]] = sorted([*((goal, None) for goal in goals), *_starts(jumps)], key=_place)
+    given, parts, numbers = _parts_of(jumps, goals, places[0] if places else 0)
     while True:
-        sizes: list[int] = []
-        parts: dict[int, int] = {}
-        numbers: dict[int, int] = {}
-        at = places[0] if places else 0
-        for place, offset in marks:
-            sizes.append(place - at)
-            at = place
-            if offset is None:
-                parts[place] = len(sizes)
-            else:
-                numbers[offset] = len(sizes)
-                at = jumps[offset].end
-                sizes.append(at - place)
+        sizes = given.copy()
         free = {numbers[offset]: parts[jump.goal] for offset, jump in jumps.items() if offset not in forms}
         measure(sizes, free, rules)
         wrong = [offset for offset, jump in jumps.items() if sizes[numbers[offset]] != jump.end - jump.start]
@@ -289,12 +277,24 @@ def _has(places: Sequence[int], offset: int) -> bool:
     return found < len(places) and places[found] == offset
 
 
-def _starts(jumps: Mapping[int, _Jump]) -> Iterator[tuple[int, int]]:
-    return ((jump.start, offset) for offset, jump in jumps.items())
-
-
-def _place(mark: tuple[int, int | None]) -> int:
-    return mark[0]
+def _parts_of(
+    jumps: Mapping[int, _Jump], goals: Iterable[int], at: int
+) -> tuple[list[int], dict[int, int], dict[int, int]]:
+    """Returns the sizes of a code's parts, and by offset which of them a goal precedes, or is the argument of a jump."""
+    starts = ((jump.start, offset) for offset, jump in jumps.items())
+    sizes: list[int] = []
+    parts: dict[int, int] = {}
+    numbers: dict[int, int] = {}
+    for place, offset in sorted([*((goal, None) for goal in goals), *starts], key=itemgetter(0)):
+        sizes.append(place - at)
+        at = place
+        if offset is None:
+            parts[place] = len(sizes)
+        else:
+            numbers[offset] = len(sizes)
+            at = jumps[offset].end
+            sizes.append(at - place)
+    return sizes, parts, numbers
 
 
 def lego_lines(operations: Sequence[Operation]) -> Iterator[str]:

@@ -280,7 +280,7 @@ def _has(places: Sequence[int], offset: int) -> bool:
 def _parts_of(
     jumps: Mapping[int, _Jump], goals: Iterable[int], at: int
 ) -> tuple[list[int], dict[int, int], dict[int, int]]:
-    """Returns the sizes of a code's parts, and by offset which of them a goal precedes, or is the argument of a jump."""
+    """Returns the sizes of a code's parts, and by offset which a goal precedes, and which is a jump's argument."""
     starts = ((jump.start, offset) for offset, jump in jumps.items())
     sizes: list[int] = []
     parts: dict[int, int] = {}

@@ -171,10 +171,8 @@ def argument_text(schema: ArgumentSchema, value: Any, names: dict[int, str] | No
     argument, _ = schema.read(schema.write(value), 0)
     if argument.is_variable or isinstance(value, bytes):
         text = f"{argument.encoding}({argument.value!r})" if isinstance(value, bytes) else str(value)
-        marks = (("HND", argument.form.handle), ("ADR", argument.form.address))
-        for mark in (name for name, is_set in marks if is_set):
-            text = f"{mark}({text})"
-        return text
+        text = f"HND({text})" if argument.form.handle else text
+        return f"ADR({text})" if argument.form.address else text
     if isinstance(argument.value, str):
         return repr(argument.value)
     symbol = argument.symbol or (names or {}).get(int(argument.value) if argument.value == argument.value else -1)

@@ -87,6 +87,15 @@ def _values(name: str, by_owner: Mapping[str, FieldPlace], record: Record) -> It
 
 def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str, str, Any]]:
     """Yields owner, name and value of all arguments of commands, and values and fields of replies."""
+    yield from _held(record)
+    for operation in getattr(record.message, "operations", ()):
+        if operation.full_name in owners:
+            for argument in operation.arguments:
+                yield operation.full_name, argument.name, None if argument.is_variable else argument.value
+
+
+def _held(record: Record) -> Iterator[tuple[str, str, Any]]:
+    """Yields the same of everything but operations."""
     message = record.message
     if isinstance(message, DirectReply):
         yield from ((value.full_name, value.name, value.value) for value in record.values)
@@ -96,10 +105,6 @@ def _named_values(record: Record, owners: Container[str]) -> Iterator[tuple[str,
         yield from ((_DAISY, name, getattr(message, name)) for name in _SENT_ON)
         if isinstance(message, DaisyReply) and message.report is not None:
             yield from ((_DAISY, name, field) for name, field in message.report._asdict().items())
-    for operation in getattr(message, "operations", ()):
-        if operation.full_name in owners:
-            for argument in operation.arguments:
-                yield operation.full_name, argument.name, None if argument.is_variable else argument.value
 
 
 def is_parameter(name: str) -> bool:

@@ -364,10 +364,7 @@ def _text(argument: Argument) -> tuple[str, int | float | str]:
     if isinstance(value, str):
         return text_literal(value), value
     if isinstance(value, float):
-        if value != value:
-            return _NOT_A_FLOAT, value
-        text = str(value) if math.isinf(value) else float_literal(value)
-        return text, value
+        return float_literal(value), value
     if parameter.unsigned and value < 0:
         value += BITS[parameter.type][-1] + 1
     known = (name for name, number in parameter.names.items() if number == value)
@@ -400,7 +397,9 @@ def text_literal(text: str, escapes: Mapping[str, str] = TEXT_ESCAPES) -> str:
 
 
 def float_literal(value: float) -> str:
-    """Writes a finite single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
+    """Writes a single as a literal that means the same bits: `1.5F`, `-0.0F`, never with a signed exponent."""
+    if not math.isfinite(value):
+        return _NOT_A_FLOAT if math.isnan(value) else str(value)
     text = short_float(value) if value else str(value)
     if "e" in text:
         text = format(Decimal(text), "f")

@@ -230,13 +230,12 @@ class Parser:
             raise self._line_end(f"a type ({', '.join(VARIABLE_WORDS)})")
         self._next()
         name = self._expect_name("the name of the variable", is_same_line=notation.by_line or notation.has_messages)
-        is_sized = kind.text in _SIZED or (notation.last_counts and kind.text in OLD_WORDS)
+        is_old = notation.last_counts and kind.text in OLD_WORDS
+        is_sized = is_old or kind.text in _SIZED
         size = self._size() if is_sized or notation.has_messages else None
         if size is None and is_sized:
             raise self._line_end(f"the number of elements of {name.text}")
-        if notation.last_counts and kind.text in OLD_WORDS:
-            scope = kind.text
-        return VariableDeclaration(name.at, kind.text, name.text, size, scope)
+        return VariableDeclaration(name.at, kind.text, name.text, size, kind.text if is_old else scope)
 
     def _size(self) -> Value | None:
         """Parses the number of elements after the name of a variable, `name[3]` or `name 3`, if there is one."""

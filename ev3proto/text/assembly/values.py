@@ -395,6 +395,9 @@ class Encoder:
             if isinstance(meaning, Pattern) and kind in RANGES and kind.size:
                 return schema.write(_signed(meaning, 8 * kind.size))
             return schema.write(meaning)
+        return self._of_program(meaning)
+
+    def _of_program(self, meaning: int | float | str) -> bytes:
         if isinstance(meaning, str):
             return encode_as("LCS_OLD", meaning)
         if isinstance(meaning, float):

@@ -7,7 +7,7 @@ of several the one with the fewest findings wins. A new mishap is a row with its
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import islice
 from typing import NamedTuple
@@ -42,7 +42,7 @@ class Repair(NamedTuple):
     """What may have happened: an example, the candidates of a line, what to say; {} is the candidate."""
 
     example: str
-    candidates: Callable[[str], Iterator[str]]
+    candidates: Callable[[str], Iterable[str]]
     says: str
     is_read: bool = True
 
@@ -55,14 +55,6 @@ class Repaired(NamedTuple):
     says: str
     is_read: bool
     slip: SlipPlace | None
-
-
-def _wide(line: str) -> Iterator[str]:
-    yield narrow(line)
-
-
-def _lookalikes(line: str) -> Iterator[str]:
-    yield _MISREAD.sub(lambda found: found[0].translate(LOOKALIKES), line)
 
 
 def _signed(line: str) -> Iterator[str]:
@@ -78,10 +70,6 @@ def _marked(mark: re.Pattern[str], line: str) -> Iterator[str]:
         text = text.partition(before[-1])[0] if before[-1:] in ("'", '"') else text
         codes = mark.sub(lambda one: rf"\x{_LABVIEW.get(one[1], one[1])}", text)
         yield f'{before}"{codes}"'
-
-
-def _repeats(line: str) -> Iterator[str]:
-    yield re.sub(r"(\w+) <repeats (\d{1,3}) times>", lambda one: ", ".join([one[1]] * int(one[2])), line)
 
 
 def _lost_zero(line: str) -> Iterator[str]:
@@ -118,8 +106,17 @@ def _rest(digits: str, done: str, count: int) -> Iterator[str]:
 
 
 REPAIRS = (
-    Repair("\uff10\uff16002a0080000001", _wide, "its letters are as wide as an ideograph (full-width)"),
-    Repair("O6 00 2a 00 8O 00 00 01", _lookalikes, "{word!r} is not hex; did you mean {meant!r}?", is_read=False),
+    Repair(
+        "\uff10\uff16002a0080000001",
+        lambda line: [narrow(line)],
+        "its letters are as wide as an ideograph (full-width)",
+    ),
+    Repair(
+        "O6 00 2a 00 8O 00 00 01",
+        lambda line: [_MISREAD.sub(lambda found: found[0].translate(LOOKALIKES), line)],
+        "{word!r} is not hex; did you mean {meant!r}?",
+        is_read=False,
+    ),
     Repair("06002a00ffffff80000001", _signed, "a byte above 7f is spread over 32 bits (ffffff80); print it & 0xff"),
     Repair(
         r"\06\00*\00\80\00\00\01",
@@ -131,7 +128,11 @@ REPAIRS = (
         partial(_marked, re.compile(r"[<{\[%=]([\dA-Fa-f]{2})[>}\]]?")),
         "characters that are not in brackets are bytes, too",
     ),
-    Repair("{0xd, 0x0, 0x2a, 0x0, 0x2, 0x0 <repeats 10 times>}", _repeats, "the debugger shows equal bytes once"),
+    Repair(
+        "{0xd, 0x0, 0x2a, 0x0, 0x2, 0x0 <repeats 10 times>}",
+        lambda line: [re.sub(r"(\w+) <repeats (\d{1,3}) times>", lambda one: ", ".join([one[1]] * int(one[2])), line)],
+        "the debugger shows equal bytes once",
+    ),
     Repair(
         "F0000008000009401810282E80382E803",
         _lost_zero,

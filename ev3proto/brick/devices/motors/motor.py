@@ -87,8 +87,7 @@ class _Releasing(Activity):
         if self._left:
             self._left -= 1
         else:
-            motor.activity = IDLE
-            motor.rotor.coast()
+            motor.coast()
 
 
 IDLE, HELD, POWERED, REGULATED = _Idle(), _Held(), _Powered(), _Regulated()
@@ -168,8 +167,7 @@ class Motor:
             self.tachometer.clear()
             self.tachometer.characteristics = self.characteristics
         else:
-            self.activity = IDLE
-            self.rotor.coast()
+            self.coast()
         self.tacho = self.sensor = self.clock = 0
         self._seen = Reading(0, self._seen.speed, 0)
 
@@ -227,8 +225,12 @@ class Motor:
             self.activity = HELD
             self.rotor.brake()
         else:
-            self.activity = IDLE
-            self.rotor.coast()
+            self.coast()
+
+    def coast(self) -> None:
+        """Floats."""
+        self.activity = IDLE
+        self.rotor.coast()
 
     def set_polarity(self, polarity: int) -> None:
         """Sets the polarity, 0 for the opposite. The goal is put out at once, even if the motor was not started."""
@@ -260,8 +262,7 @@ class Motor:
             self.activity = _Releasing()
             self.rotor.brake()
         else:
-            self.activity = IDLE
-            self.rotor.coast()
+            self.coast()
         self.starts = POWERED
         self.polarity = 1
 
@@ -302,8 +303,7 @@ class Motor:
             if is_timed:
                 self.tacho = 0
         else:
-            self.activity = IDLE
-            self.rotor.coast()
+            self.coast()
         self.starts = POWERED
         self.is_busy = False
 

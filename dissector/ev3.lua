@@ -2568,7 +2568,7 @@ local FINDINGS = {
     UNKNOWN_OPCODE = { "E201", "unknown opcode {byte} for the {dialect} firmware" },
     OTHER_DIALECT = { "E201", "{byte} is {known} in the dialects {others}, but not an opcode of {dialect} firmware" },
     UNRELEASED = { "E201", "{byte} is {known}, which is documented but not implemented by any firmware" },
-    AFTER_END = { "E202", "{bytes} follow the OBJECT_END at offset {end}, so the firmware refuses the command" },
+    AFTER_END = { "E202", "the firmware refuses the command: {bytes} too many after the OBJECT_END at offset {end}" },
     CUT_OFF = { "E203", "{owner}: {reason}" },
     CUT_LIST = { "E203", "{name} says {values}, but only {bytes} follow" },
     SPINS = { "E207", "{name} is [{value}][{encoding}, which is not a number]: the brick reads millions of values before it does anything else" },
@@ -2599,9 +2599,9 @@ local REASONS = {
     variable_cmd = "CMD of {owner} is {value}, but must be a constant",
     left_over = "{bytes} left over after the last field",
     wrong_count = "{counter} says {stated} bytes, but {size} follow to the end of the frame",
-    cut_text = "a text of {length} bytes runs past the end of the frame",
+    cut_text = "a text of length {length} runs past the end of the frame",
     no_zero = "the terminating zero of a text is missing",
-    other_zero = "a text of {length} bytes must end with a zero, not with {byte}",
+    other_zero = "a text of length {length} must end with a zero, not with {byte}",
     endless_text = "the text {name} runs past the end of the frame: its terminating zero is missing",
     no_field = "the frame ends before the field {name} ({kind})",
 }
@@ -6380,4 +6380,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 1a0be0e15249dd1c
+-- Checksum of the lines above, by which a changed file is recognised: 6d5dcba58452136d

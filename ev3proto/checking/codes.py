@@ -342,7 +342,7 @@ AFTER_END = _code(
     _sized("2A:00|80|00:00|82:1B:02:0A:82:1B:01"),
     _sized("2A:00|80|00:00|82:1B:02:82:1B:01"),
     words=Words(
-        "{bytes} follow the OBJECT_END at offset {end}, so the firmware refuses the command",
+        "the firmware refuses the command: {bytes} too many after the OBJECT_END at offset {end}",
         "omit the OBJECT_END, or what follows it",
     ),
 )
@@ -836,7 +836,7 @@ UNUSED_MEMORY = _code(
     _sized("2A:00|00|20:00|81:01:60"),
     VOLTAGE,
     words={
-        "": Words("the header requests {asked} of {scope} memory, but only {end} are used", "request {end}"),
+        "": Words("the header requests {asked} of {scope} memory, but the operations use only {end}", "request {end}"),
         "none": Words("the header requests {asked} of {scope} memory, but none are used", "request 0"),
     },
 )

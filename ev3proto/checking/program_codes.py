@@ -59,10 +59,8 @@ REFUSED = _code(
     _image("30 05 60 DF 0A"),
     _FINE,
     words={
-        "": Words("the brick refuses object {object} at {operation}: {reason}", _FIX),
-        "newer": Words(
-            "the brick refuses object {object} at {operation}: {reason}; firmware of 2013 does not know it", _FIX
-        ),
+        "": Words("{operation} of object {object}: {reason}", _FIX),
+        "newer": Words("{operation} of object {object}: {reason}; firmware of 2013 does not know it", _FIX),
     },
 )
 NO_SUCH_OBJECT = _code(

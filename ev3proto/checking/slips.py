@@ -43,7 +43,7 @@ SLIPS = {
     "ascii": Slip(1, "3F is here for every byte above 7F: the frame was encoded as ASCII; send bytes, not a text",
         "0E00 0100 3F 0000 3F 01 02 3F3F03 3F3F01", _TONE),
     # The header.
-    "length": Slip(3, "the length field says that {4} it, but there are {0}: it is {1}",
+    "length": Slip(3, "the length field says that {4} it, but there are {0}: {0} is written {1}",
         "0B00 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
     "length-self": Slip(2, "the length does not count its own two bytes: it is {0} ({1})",
         "0F00 0100 80 0000 A5 00 01 8132 A6 00 01", _SPEED),
@@ -105,7 +105,7 @@ SLIPS = {
         "0900 0100 00 0200 99 05 00 00", "0B00 0100 00 0200 99 05 00 00 60 61"),
     "cut": Slip(4, "the frame ends before {0} of {1}",
         "0A00 0100 80 0000 AA 00 01 94 01", "0F00 0100 80 0000 AA 00 01 94 01 01 82FA00 00"),
-    "extra": Slip(5, "{0} of {1} is there twice, or too much",
+    "extra": Slip(5, "{0} of {1} is given twice, or is one value too many",
         "0E00 0100 80 0000 A5 00 00 01 8132 A6 00 01", _SPEED),
     "order": Slip(4, "{0} and {1} of {2} are in the wrong order",
         "0D00 0100 80 0000 A5 00 8132 01 A6 00 01", _SPEED),

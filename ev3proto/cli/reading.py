@@ -25,6 +25,8 @@ from ev3proto.reading.incoming import IncomingFile
 from ev3proto.reading.items import Event, Image, Problem, Source
 from ev3proto.reading.options import BUILTIN, ENGINES, MIB, Options, Sources
 from ev3proto.reading.parts import Part, Reading
+from ev3proto.semantics.advice import BARE
+from ev3proto.semantics.identify import Kind
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.paste import Missing
 from ev3proto.text.spans import visible
@@ -122,6 +124,9 @@ Captured: TypeAlias = Record | Announcement | Skipped
 Other: TypeAlias = Captured | Image | Source
 
 
+_READS = {Kind.NO_LENGTH: "--no-length reads it", Kind.OPERATIONS: "--operations reads them"}
+
+
 class Problems:
     """Prints problems, and remembers whether any of them was an error.
 
@@ -146,12 +151,13 @@ class Problems:
         return (event for event in self.beside(events) if not isinstance(event, Image | Source))
 
     def show(self, problem: Problem) -> None:
-        """Prints a problem, with the line of a source that it is about."""
-        complain(str(problem))
+        """Prints a problem, with the option that avoids it, or the line of a source that it is about."""
+        reads = next((f": {option}" for kind, option in _READS.items() if problem.message.endswith(BARE[kind])), "")
+        complain(f"{problem}{reads}")
         if problem.excerpt:
             complain("\n".join(f"  {line}" for line in problem.excerpt.split("\n")))
         if problem.severity is Severity.ERROR:
-            self._heard(str(problem))
+            self._heard(f"{problem}{reads}")
             self.errors += 1
 
     def records(self, events: Iterable[Event]) -> Iterator[Record]:

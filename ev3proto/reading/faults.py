@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING
 
 from ev3proto.capture.record import Record
 from ev3proto.checking.report import Severity, Suggestion
-from ev3proto.messages import DirectCommand, Message, Operation
+from ev3proto.messages import Message
 from ev3proto.reading.items import Problem, ProblemCode
 from ev3proto.schema.frame import frame_reader, parse
 from ev3proto.semantics.advice import advice
-from ev3proto.semantics.identify import foreign
-from ev3proto.tables.declaration import Effect
+from ev3proto.semantics.identify import foreign, never_run
 from ev3proto.text.phrases import command_spans
 from ev3proto.text.spans import plain_text
 
@@ -43,7 +42,7 @@ class Faults:
             for one in self._meant(message):
                 content = plain_text(command_spans(parse(one.frame, strict=False, dialect=self._dialect)))
                 return Problem(place, ProblemCode.FAULT, f"did you mean {content}? {one.message}", Severity.HINT)
-        never = _never_run(message)
+        never = never_run(message)
         if never is None:
             return None
         said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
@@ -58,10 +57,3 @@ class Faults:
         if self._suggestions is None:
             self._suggestions = Suggestions()
         return self._suggestions.of(check(message, dialect=self._dialect, alone=True))
-
-
-def _never_run(message: Message) -> Operation | None:
-    """Returns the first operation of a command that no brick runs: bytes of something else look like that."""
-    operations = message.operations if isinstance(message, DirectCommand) else ()
-    never = (each for each in operations if Effect.NEVER_RUNS in each.schema.declaration.effects)
-    return next(never, None)

@@ -15,9 +15,11 @@ class Subject(StrEnum):
     EMPTY = "empty"  # without anything in it
     TEXT = "text"  # without a frame
     FILE = "file"  # without one, too
-    MISTAKEN = "mistaken"  # operations, or the source of a program, with mistakes
+    MISTAKEN = "mistaken"  # operations with mistakes
+    SOURCE = "source"  # of a program, with mistakes
     NO_HEADER = "no-header"  # operations
-    NO_LENGTH = "no-length"  # a frame but for its length
+    NO_LENGTH = "no-length"  # a frame or a reply but for its length
+    LETTERS = "letters"  # a frame but for letters that look like digits
     PART = "part"  # a frame up to a mistake in its text
     FRAME = "frame"
     REPLY = "reply"
@@ -36,10 +38,13 @@ class Headline(NamedTuple):
     refused   those of them that the brick refuses
     wrong     those that it takes, but that have errors
     doubtful  those that it takes with no more than warnings
+    failed    the replies that say that a command failed
+    faulty    the replies with a fault, or with bytes after them
     unread    the number of its pieces that cannot be read
     read      the frames among which a filter chose; the bytes of a program
     exchange  its only message
     missing   bytes at the end of that message that the input has left out
+    rest      the number of bytes after it
     worst     the report on the first of the worst frames, or on the program; None if there is nothing to report
     place     of that frame; empty for a frame by itself
     """
@@ -50,10 +55,13 @@ class Headline(NamedTuple):
     refused: int = 0
     wrong: int = 0
     doubtful: int = 0
+    failed: int = 0
+    faulty: int = 0
     unread: int = 0
     read: int = 0
     exchange: Exchange | None = None
     missing: int = 0
+    rest: int = 0
     worst: Report | None = None
     place: str = ""
 

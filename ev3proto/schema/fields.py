@@ -185,9 +185,9 @@ def _message(name: str, value: Any) -> bytes:
 UNREADABLE = {
     "left_over": "{bytes} left over after the last field",
     "wrong_count": "{counter} says {stated} bytes, but {size} follow to the end of the frame",
-    "cut_text": "a text of {length} bytes runs past the end of the frame",
+    "cut_text": "a text of length {length} runs past the end of the frame",
     "no_zero": "the terminating zero of a text is missing",
-    "other_zero": "a text of {length} bytes must end with a zero, not with {byte}",
+    "other_zero": "a text of length {length} must end with a zero, not with {byte}",
     "endless_text": "the text {name} runs past the end of the frame: its terminating zero is missing",
     "no_field": "the frame ends before the field {name} ({kind})",
 }

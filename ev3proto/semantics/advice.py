@@ -12,12 +12,16 @@ _MAILBOX = "abc"
 """The mailbox of the example: the name that LEGO's Messaging block begins with."""
 _MOST_QUOTED, _MOST_DIGITS, _MOST_SENT = 24, 300, 100
 
+BARE = {
+    Kind.NO_LENGTH: "this is a frame without its length bytes",
+    Kind.OPERATIONS: "these are operations without the header of a frame",
+}
+"""What is said of bytes that lack a part of a frame."""
 _SAID = {
     Kind.NXT: "this is a telegram of the NXT ({}), LEGO's earlier brick; an EV3 does not know it",
     Kind.HUB: "this is a message of LEGO's Wireless Protocol ({}), for hubs with Bluetooth Low Energy (its first byte"
     " counts all bytes, the second is the hub, the third the type); an EV3 does not know it",
-    Kind.NO_LENGTH: "this is a frame without its length bytes",
-    Kind.OPERATIONS: "these are operations without the header of a frame",
+    **BARE,
 }
 SLIPS = {
     "length-self": "this is a frame whose length counts its own two bytes",

@@ -15,7 +15,7 @@ from enum import Enum
 from itertools import pairwise
 from typing import NamedTuple
 
-from ev3proto.messages import DirectCommand
+from ev3proto.messages import DirectCommand, Message, Operation
 from ev3proto.schema.frame import FrameReader, frame_reader, is_flawless
 from ev3proto.schema.header import (
     COMMAND_HEADER_SIZE,
@@ -32,6 +32,7 @@ from ev3proto.schema.header import (
 )
 from ev3proto.semantics.footprint import memory_of
 from ev3proto.semantics.mangled import mangled
+from ev3proto.tables.declaration import Effect
 from ev3proto.tables.frame import COMMAND_TYPES, DIRECT_COMMAND_TYPES, LENGTH_FIELD, MESSAGE_TYPES, MessageType
 from ev3proto.tables.strangers import HUB, NXT, NXT_ANSWERS, NXT_REPLY, NXT_STATUS
 
@@ -119,6 +120,17 @@ def is_sure(frame: bytes, reader: FrameReader | None = None) -> bool:
 def is_prose(data: bytes) -> bool:
     """Returns whether bytes are text."""
     return data.isascii() and all(byte >= 0x20 or byte in b"\t\r\n" for byte in data)
+
+
+def never_run(message: Message) -> Operation | None:
+    """Returns the first operation of a command that no brick runs: bytes of something else look like that."""
+    operations = message.operations if isinstance(message, DirectCommand) else ()
+    return next((each for each in operations if Effect.NEVER_RUNS in each.schema.declaration.effects), None)
+
+
+def _runs(message: Message) -> bool:
+    """Returns whether a message is not a command that does nothing at all."""
+    return not isinstance(message, DirectCommand) or (bool(message.operations) and never_run(message) is None)
 
 
 def length_slip(data: bytes) -> str | None:
@@ -232,8 +244,11 @@ def _bare(data: bytes, reader: FrameReader) -> Identity | None:
     least = _LEAST_OPERATIONS if max(data, default=0) > _ASCII else HEADER_SIZE
     if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
         return None
-    for kind, frame in ((Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))):
-        if frame is not None and is_flawless(frame, reader):
+    found = [(Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))]
+    if data[TYPE_AT - LENGTH_FIELD] not in COMMAND_TYPES:
+        found.reverse()  # any bytes are a reply
+    for kind, frame in found:
+        if frame is not None and is_flawless(frame, reader) and _runs(reader.read_frame(frame)):
             return Identity(kind, frame=frame)
     return None
 

@@ -202,7 +202,7 @@ def _with_unit(value: int, unit: str | None) -> str:
 def _system(message: SystemCommand) -> str:
     declared = SYSTEM_BY_NUMBER.get(message.number)
     if declared is None:
-        return f"is the unknown system command 0x{message.number:02X}"
+        return f"sends the unknown system command 0x{message.number:02X}"
     given = [f"{name} {short_text(plain(value))}" for name, value in message.fields.items() if value not in (b"", None)]
     return _with_given(declared.text, given)
 
@@ -230,4 +230,4 @@ def _answer(exchange: Exchange, message: DirectReply | DaisyReply | SystemReply)
 def _unknown(message: Message) -> str:
     """Returns what is said of a reply without known values."""
     memory = getattr(message, "memory", b"")
-    return f"ok, with {len(memory)} bytes of memory" if memory else "ok"
+    return f"ok, with {counted(len(memory), 'byte')} of memory" if memory else "ok"

@@ -111,7 +111,7 @@ def test_a_fixed_frame() -> None:
     assert done.stdout.splitlines() == [
         "fixed in 1 place",
         "0x|08:00|2A:00|00|04:00|81|01|60|",
-        "  length field: 0B -> 08 (the length field says that 11 bytes follow it, but there are 8: it is 08 00)",
+        "  length field: 0B -> 08 (the length field says that 11 bytes follow it, but there are 8: 8 is written 08 00)",
         "fixed: accepted: no findings",
     ]
 

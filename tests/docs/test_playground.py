@@ -258,9 +258,7 @@ def test_an_empty_page_offers_three_examples(page: Page) -> None:
 def test_findings_come_first_by_line_errors_before_warnings(page: Page) -> None:
     warning, error = "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|", "0x|08:00|01:00|00|01:00|81:01:60|"
     page.read("\n".join([TONE] * 3 + [warning, error] + [TONE] * 16 + [error]))
-    places = [
-        found for text in page.texts("#findings .finding") for found in re.findall(r"--> input, line (\d+),", text)
-    ]
+    places = [found for text in page.texts("#findings .finding") for found in re.findall(r"--> line (\d+),", text)]
     assert places == ["5", "22", "4"]
     assert page.text("sentence") == "A log of 22 frames."
     # Choosing a finding selects its line.

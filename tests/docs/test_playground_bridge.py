@@ -75,6 +75,7 @@ PROGRAM = "vmthread MAIN\n{\n  UI_WRITE(LED, LED_ORANGE)\n}\n"
 HOW_FRAMES_ARE_WRITTEN = (
     "Frames are written in hex, such as 06 00 2A 00 80 00 00 01. Operations are read, too: OUTPUT_POWER(0, 1, 50)."
 )
+BOTH = "The brick takes both commands."
 HEADER_FIRST = "A brick needs its header first: length, counter, type and memory."
 
 
@@ -105,38 +106,38 @@ def offered() -> list[str]:
             TONE.replace("0E", "0F"),
             "Plays 440 Hz for 1 s at volume 1 %.",
             "refuses",
-            "The brick refuses it at byte 16, because the length field says that 15 bytes follow it, but there are 14:"
-            " it is 0E 00.",
+            "The brick refuses it at byte 16: the length field says that 15 bytes follow it, but there are 14: 14 is"
+            " written 0E 00.",
             ["Set the length to 14"],
         ),
         (
             "0x|08:00|2A:00|00|05:00|81:01:61|",
             "Reads the battery voltage.",
             "refuses",
-            "The brick refuses it at byte 7, because VALUE of UI_READ.GET_VBATT must start at a multiple of 4: GV(0) is"
-            " written 60.",
+            "The brick refuses it at byte 7: VALUE of UI_READ.GET_VBATT must start at a multiple of 4: GV(0) is written"
+            " 60.",
             ["Change 61 at byte 9 to 60"],
         ),
         (
             "0x|08:00|2A:00|00|01:00|81:01:60|",
             "Reads the battery voltage.",
             "takes",
-            "The brick takes it, but 4 bytes of global and 0 bytes of local memory are used; the header requests 1"
-            " and 0.",
+            "The brick takes it, but it has an error: VALUE takes bytes 0 to 3 of global memory, but the header"
+            " requests 1 byte of global memory.",
             ["Request 4 bytes of global and 0 of local memory"],
         ),
         (
             "0x|0D:00|2A:00|80|00:00|A5:00:01:32:A6:00:01|",
             "Sets the speed of motor A to -14 %, backward, then starts motor A.",
             "refuses",
-            "The brick refuses it at byte 14, because SPEED of OUTPUT_SPEED is a raw number: 50 is written 81 32.",
+            "The brick refuses it at byte 14: SPEED of OUTPUT_SPEED is a raw number: 50 is written 81 32.",
             ["Insert 81 at byte 10"],
         ),
         (
             "0x|0E:00|2A:00|80|00:00|94:01:01:82:0A:00:82:E8:03|",
             "Plays 10 Hz for 1 s at volume 1 %.",
             "takes",
-            "The brick takes it, but FREQUENCY is 10 Hz, outside of 250 to 10000 Hz.",
+            "The brick takes it, but it has a warning: FREQUENCY is 10 Hz, outside of 250 to 10000 Hz.",
             ["Write it in fewer bytes"],
         ),
         # Hints are not in the verdict.
@@ -189,14 +190,14 @@ def offered() -> list[str]:
             f"09:12:31.0 Sent {BATTERY}\n09:12:31.1 Recv 0x|07:00|2A:00|02|66:66:F6:40|\n09:12:31.2 Sent {BATTERY}\n",
             "A log of 3 frames: 2 commands and 1 reply.",
             "takes",
-            "The brick takes all 2 commands.",
+            BOTH,
             [],
         ),
         (
             f"Sent {BATTERY}\nSent 0x|08:00|2A:00|00|01:00|81:01:60|\nSent 0x|0A:00|2B:00|00|04:00|81:01:60|\n",
             "A log of 3 frames.",
             "refuses",
-            "The brick refuses 1 of 3 commands; in line 3, the length does not count its own two bytes: it is 8"
+            "The brick refuses 1 of 3 commands; in line 3: the length does not count its own two bytes: it is 8"
             " (08 00).",
             ["Line 2: Request 4 bytes of global and 0 of local memory", "Line 3: Set the length to 8"],
         ),
@@ -217,7 +218,7 @@ def offered() -> list[str]:
         (PROGRAM, "A program of 1 object and 32 bytes.", "takes", "The brick takes it.", []),
         (
             PROGRAM.replace("UI_WRITE", "UI_WRIT"),
-            "Operations with a mistake.",
+            "A program with a mistake.",
             "none",
             "",
             ["Line 3: Change UI_WRIT to UI_WRITE"],
@@ -232,11 +233,153 @@ def offered() -> list[str]:
         ("UI_WRITE(LED, LED_RDE)", "Operations with a mistake.", "none", "", ["Change LED_RDE to LED_RED"]),
         (
             "08 00 2A O0 00 04 00 81 0l 60",
-            "A frame that cannot be read to its end.",
+            "A frame with letters for digits: reads the battery voltage.",
             "none",
-            "",
+            "Bytes are written with the digits 0 to 9 and the letters A to F.",
             ["Read O as 0 and l as 1"],
         ),
+        # A right input has no button, in any notation.
+        (
+            "00000110 00000000 00101010 00000000 10000000 00000000 00000000 00000001",
+            "Does nothing.",
+            "takes",
+            "The brick takes it.",
+            [],
+        ),
+        ("06 00 2A 00 02 00 00 01", "A reply that answers command 42: ok, with 3 bytes of memory.", "none", "", []),
+        # What a reply says, and what is wrong with it.
+        (
+            "06 00 2A 00 05 92 09 01",
+            "An error reply that answers command 42: BEGIN_DOWNLOAD SIZE_ERROR (there is not enough room for a file of"
+            " that size, or the frame had more data than announced).",
+            "none",
+            "",
+            [],
+        ),
+        ("04 00 2A 00 02 01", "A reply that answers command 42: ok, with 1 byte of memory.", "none", "", []),
+        (
+            "03 00 2A 00 02 FF",
+            "A reply that answers command 42: ok.",
+            "none",
+            "1 byte follows it that its length field does not count.",
+            [],
+        ),
+        (
+            "2A 00 02 66 66 F6 40",
+            "A reply without its length, which answers command 42: ok, with 4 bytes of memory.",
+            "none",
+            "A reply begins with its length.",
+            ["Add the length"],
+        ),
+        (f"Recv {TONE}", "A command that came from the brick: plays 440 Hz for 1 s at volume 1 %.", "none", "", []),
+        (
+            f"Sent {BATTERY}\nRecv 03 00 2A 00 04\n",
+            "A log of 2 frames: 1 command and 1 reply.",
+            "takes",
+            "The brick takes the command. 1 reply says that a command failed.",
+            [],
+        ),
+        (
+            f"Sent {BATTERY}\nRecv 08 00 2A 00 02 66 66 F6 40\n",
+            "A log of 2 frames: 1 command and 1 reply.",
+            "takes",
+            "The brick takes the command. 1 reply cannot be right.",
+            [],
+        ),
+        (
+            "03 00 2A 00 04\n03 00 2B 00 04",
+            "A log of 2 frames: 2 replies.",
+            "none",
+            "2 replies say that a command failed.",
+            [],
+        ),
+        # Two frames in a line are a log.
+        (
+            "08002A0000040081016007002A00026666F640",
+            "A log of 2 frames: 1 command and 1 reply.",
+            "takes",
+            "The brick takes the command.",
+            [],
+        ),
+        # Bytes that lack a part of a frame.
+        (
+            "82 1B 02",
+            "A frame without its header: sets the light around the buttons to LED_RED.",
+            "none",
+            HEADER_FIRST,
+            ["Add a header"],
+        ),
+        (
+            "A4 00 01 81 32\nA6 00 01\n",
+            "A frame without its header: sets the power of motor A to 50 %, then starts motor A.",
+            "none",
+            HEADER_FIRST,
+            ["Add a header"],
+        ),
+        (
+            "Sent: A5 00 01 81 32",
+            "A text without a frame.",
+            "none",
+            "",
+            ["Add a header"],
+        ),
+        (
+            "06 2A 00 80 00 00 01",
+            "A command of 7 bytes.",
+            "refuses",
+            "The brick refuses it at byte 0: the length has two bytes, the low one first.",
+            ["Write the length in two bytes"],
+        ),
+        (
+            "00 00 2A 00 80 00 00 01",
+            "A command of 8 bytes.",
+            "refuses",
+            "The brick refuses it at byte 7: the length field says that 0 bytes follow it, but there are 6: 6 is"
+            " written 06 00.",
+            ["Set the length to 6"],
+        ),
+        (
+            "06 00 2A",
+            "3 bytes, not a frame.",
+            "refuses",
+            "The brick refuses it at byte 0: a frame has at least 5 bytes (length, counter, type), this one has 3.",
+            [],
+        ),
+        (
+            "04 00 2A 00 01 42",
+            "Sends the unknown system command 0x42.",
+            "refuses",
+            "The brick refuses it at byte 5: unknown system command 0x42.",
+            [],
+        ),
+        (
+            "vmthread MAIN\n{\n  DATA8 x\n  MOVE8_8(300, x)\n}\n",
+            "A program of 1 object and 34 bytes.",
+            "refuses",
+            "The brick refuses it at byte 28: MOVE8_8 of object 1: its first constant is out of range.",
+            [],
+        ),
+        (
+            "0B 00 00 00 00 01 00 99 1D 00 00 00 02 01 60",
+            "Reads port 1 in SI units, when it is ready.",
+            "refuses",
+            "The brick refuses it at byte 7: the length field says that 11 bytes follow it, but there are 13: 13 is"
+            " written 0D 00.",
+            ["Request 4 bytes of global and 0 of local memory, and set the length to 13"],
+        ),
+        (
+            f"1. {BATTERY}\n2. 0x|08:00|2A:00|00|01:00|81:01:60|\n3. 0x|08:00|2B:00|00|01:00|81:01:60|\n",
+            "A log of 3 frames.",
+            "takes",
+            "The brick takes all 3 commands, but 2 of them have errors; in line 2: VALUE takes bytes 0 to 3 of global"
+            " memory, but the header requests 1 byte of global memory.",
+            [
+                "Line 2: Request 4 bytes of global and 0 of local memory",
+                "Line 3: Request 4 bytes of global and 0 of local memory",
+            ],
+        ),
+        ("1. 08 00 2A 00 00 04 00 81 01 60\n2. 08 00 2B 00 00 04 00 81 01 60", "A log of 2 frames.", "takes", BOTH, []),
+        ("http://192.168.0.1:5555", "A text without a frame.", "none", HOW_FRAMES_ARE_WRITTEN, []),
         ("Hello, how does a robot drive?", "A text without a frame.", "none", HOW_FRAMES_ARE_WRITTEN, []),
     ],
 )
@@ -324,7 +467,7 @@ def test_a_file_and_a_filter() -> None:
 def test_a_damaged_program_has_a_headline() -> None:
     answer = opened("robot.rbf", b"LEGO\x10\x00")
     assert answer["headline"]["verdict"] == (
-        "The brick refuses it at byte 0, because an image starts with a header of 16 bytes, not 6."
+        "The brick refuses it at byte 0: an image starts with a header of 16 bytes, not 6."
     )
     assert answer["error"] == ""
 

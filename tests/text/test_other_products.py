@@ -124,7 +124,7 @@ def test_digits_that_are_not_a_frame_are_not_named() -> None:
         assert [piece for piece in found if "written as characters" in (piece.problem or "")] == [], text
 
 
-OPERATIONS = "these are operations without the header of a frame: --operations reads them"
+OPERATIONS = "these are operations without the header of a frame"
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby, pairwise
 from typing import Any, NamedTuple
 
+from ev3proto.capture.record import Record
 from ev3proto.checking.checking import check
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
@@ -40,13 +41,15 @@ class Findings:
 
     checked     the number of frames for the brick
     refused     the number of those that it refuses
-    has_others  whether there are frames that are not checked, since they come from the brick
+    replies     the number of frames from the brick, which are not checked
+    failed      the number of those that say that a command failed
+    faulty      the number of those with a fault, or with bytes after them
     programs    the reports on programs, whose image is frame 0
     """
 
     def __init__(self) -> None:
         self.checked = self.refused = 0
-        self.has_others = False
+        self.replies = self.failed = self.faulty = 0
         self.programs: list[ProgramReport] = []
         self._frames: dict[Severity, list[Checked]] = {severity: [] for severity in Severity}
         self._left_out = dict.fromkeys(Severity, 0)
@@ -67,6 +70,15 @@ class Findings:
         else:
             self._left_out[worst] += 1
 
+    def reply(self, record: Record, place: str) -> None:
+        """Takes a frame from the brick."""
+        message, rest = record.message, record.rest if any(record.rest) else b""
+        self.replies += 1
+        self.failed += message.type is not None and message.type.is_error
+        self.faulty += message.fault is not None or bool(rest)
+        if place and message.fault is not None:
+            self.say(f"{place}{message.fault.reason}", Severity.ERROR)
+
     def say(self, sentence: str, severity: Severity) -> None:
         """Takes a sentence about the input that no check makes."""
         self._others.append((sentence, severity))
@@ -74,7 +86,7 @@ class Findings:
     @property
     def frames(self) -> list[Checked]:
         """The frames with findings that are shown, the worst first."""
-        if self._last is not None and self.checked == 1 and not self.has_others:
+        if self._last is not None and self.checked == 1 and not self.replies:
             # A frame by itself gets more hints.
             report = self._last.report
             alone = check(report.frame, carrier=report.carrier, alone=True)

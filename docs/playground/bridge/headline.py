@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from ev3proto.checking.report import Report, Severity, difference
+from ev3proto.dialogue import Exchange
 from ev3proto.messages import DirectReply
 from ev3proto.program.report import ProgramReport
 from ev3proto.reading.headline import Headline, Proposal, Subject
@@ -32,6 +33,7 @@ def headline(known: Headline) -> dict[str, str]:
     kind, severity, verdict = judge(known)
     if known.unread and kind == TAKES:
         kind, verdict = NONE, f"{verdict[:-1]}, but not all of the input could be read."
+    verdict = " ".join([*filter(None, [verdict]), *_replies(known)])
     return {"sentence": visible(sentence_of(known)), "verdict": visible(verdict), "kind": kind, "severity": severity}
 
 
@@ -49,10 +51,7 @@ def _capital(text: str) -> str:
 
 
 def _counted(count: int, noun: str) -> str:
-    return f"{count:,} {noun if count == 1 else _PLURALS.get(noun, f'{noun}s')}"
-
-
-_PLURALS = {"reply": "replies"}
+    return f"{count:,} {noun if count == 1 else f'{noun}s'.replace('ys', 'ies')}"
 
 
 def _frame(known: Headline) -> str:
@@ -60,8 +59,15 @@ def _frame(known: Headline) -> str:
     message, done = known.exchange.message, deed(known.exchange)
     if known.missing:
         return sentence(known.exchange, known.missing)
-    name = "not an EV3 message" if message.type is None else f"a command of {_counted(len(message.build()), 'byte')}"
-    return f"{_capital(done or name)}."
+    size = len(message.build())
+    if message.type is None:
+        return f"{_counted(size, 'byte')}, not a frame." if size < HEADER_SIZE else "Not an EV3 message."
+    return f"{_capital(done or f'a command of {size} bytes')}."
+
+
+def _part(known: Headline) -> str:
+    assert known.exchange is not None
+    return _frame(known) if known.exchange.message.type is None else "A frame that cannot be read to its end."
 
 
 def _reply(known: Headline) -> str:
@@ -69,6 +75,8 @@ def _reply(known: Headline) -> str:
     message, done = known.exchange.message, deed(known.exchange)
     is_error = message.type is not None and message.type.is_error
     name = "An error reply" if is_error else "A reply"
+    if message.type is not None and message.type.is_command:
+        return f"A command that came from the brick: {done}."
     if is_error and isinstance(message, DirectReply):
         return f"{name}: command {message.counter} failed."
     return f"{name} that {done}." if done else f"{name}."
@@ -76,8 +84,9 @@ def _reply(known: Headline) -> str:
 
 def _many(name: str) -> Callable[[Headline], str]:
     def said(known: Headline) -> str:
-        parts = {"command": known.commands, "reply": known.frames - known.commands}
-        of = f": {' and '.join(_counted(count, noun) for noun, count in parts.items())}" if all(parts.values()) else ""
+        counts = [(known.commands, "command"), (known.frames - known.commands, "reply")]
+        has_replies = known.frames > known.commands
+        of = f": {' and '.join(_counted(*each) for each in counts if each[0])}" if has_replies else ""
         if known.read:
             return f"The filter matches {known.frames:,} of the {_counted(known.read, 'frame')} of {name}{of}."
         return f"{_capital(name)} of {_counted(known.frames, 'frame')}{of}."
@@ -87,13 +96,27 @@ def _many(name: str) -> Callable[[Headline], str]:
 
 def _bare(known: Headline) -> str:
     assert known.exchange is not None
-    return f"A frame without its {_LACKS[known.subject].partition(' ')[0]}: {deed(known.exchange)}."
+    name, then = ("reply", ", which") if _is_reply(known.exchange) else ("frame", ":")
+    return f"A {name} without its {_LACKS[known.subject].partition(' ')[0]}{then} {deed(known.exchange)}."
+
+
+def _is_reply(exchange: Exchange) -> bool:
+    return exchange.message.type is not None and not exchange.message.type.is_command
+
+
+def _lettered(known: Headline) -> str:
+    assert known.exchange is not None
+    return f"A frame with letters for digits: {deed(known.exchange)}."
 
 
 _LACKS = {
     Subject.NO_HEADER: "header first: length, counter, type and memory",
     Subject.NO_LENGTH: "length first",
 }
+
+
+def _mistaken(name: str) -> Callable[[Headline], str]:
+    return lambda known: f"{name} with {'a mistake' if known.unread == 1 else 'mistakes'}."
 
 
 # What is wrong
@@ -104,8 +127,11 @@ def _of_reply(known: Headline) -> Verdict:
     message = known.exchange.message
     if message.fault is not None:
         return NONE, Severity.ERROR, f"{_capital(message.fault.reason)}."
-    is_error = message.type is not None and message.type.is_error
-    return NONE, "", "It does not say why: check the command that it answers." if is_error else ""
+    if known.rest:
+        more = f"{_counted(known.rest, 'byte')} {'follows' if known.rest == 1 else 'follow'} it"
+        return NONE, Severity.ERROR, f"{more} that its length field does not count."
+    says_why = not isinstance(message, DirectReply) or not message.is_error
+    return NONE, "", "" if says_why else "It does not say why: check the command that it answers."
 
 
 def _of_text(known: Headline) -> Verdict:
@@ -118,6 +144,8 @@ def _of_text(known: Headline) -> Verdict:
 
 def _of_bare(known: Headline) -> Verdict:
     """Has a hint about a value, which such bytes are often tried for."""
+    if known.exchange is not None and _is_reply(known.exchange):
+        return NONE, "", f"A reply begins with its {_LACKS[known.subject].partition(' ')[0]}."
     hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
     said = [f"A brick needs its {_LACKS[known.subject]}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
     return NONE, "", " ".join(said)
@@ -127,10 +155,13 @@ def _of_one(known: Headline) -> Verdict:
     report = known.worst
     if report is not None and not report.accepted:
         at = report.rejected_at or 0
-        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {at}, because {_reason(report)}."
+        return REFUSES, Severity.ERROR, f"The brick refuses it at byte {at}: {_reason(report)}."
     if report is None or not (severity := _worst(report)):
         return TAKES, "", "The brick takes it."
-    return TAKES, severity, f"The brick takes it, but {_reason(report)}."
+    return TAKES, severity, f"The brick takes it, but it has {_ONE[severity]}: {_reason(report)}."
+
+
+_ONE = {"error": "an error", "warning": "a warning"}
 
 
 def _of_frames(known: Headline) -> Verdict:
@@ -138,30 +169,41 @@ def _of_frames(known: Headline) -> Verdict:
         return _of_one(known)
     if not known.commands:
         return _NOT_JUDGED
-    where = f"; in {known.place}, {_reason(known.worst)}" if known.worst is not None else ""
-    is_one = known.commands == 1
+    where = f"; in {known.place}: {_reason(known.worst)}" if known.worst is not None else ""
+    every = {1: "the command", 2: "both commands"}.get(known.commands, f"all {known.commands:,} commands")
     if known.refused:
-        refused = "the command" if is_one else f"{known.refused:,} of {known.commands:,} commands"
+        refused = every if known.refused == known.commands else f"{known.refused:,} of {known.commands:,} commands"
         return REFUSES, Severity.ERROR, f"The brick refuses {refused}{where}."
-    takes = f"The brick takes {'the command' if is_one else f'all {known.commands:,} commands'}"
     for severity, count in ((Severity.ERROR, known.wrong), (Severity.WARNING, known.doubtful)):
         if count:
-            some = "it" if is_one else f"{count:,} of them"
-            return TAKES, severity, f"{takes}, but {some} {'has' if count == 1 else 'have'} {severity}s{where}."
-    return TAKES, "", f"{takes}."
+            some = f"{'it' if known.commands == 1 else f'{count:,} of them'} {'has' if count == 1 else 'have'}"
+            is_one = count == 1 and known.worst is not None and len(known.worst.of(severity)) == 1
+            what = _ONE[severity] if is_one else f"{severity}s"
+            return TAKES, severity, f"The brick takes {every}, but {some} {what}{where}."
+    return TAKES, "", f"The brick takes {every}."
+
+
+def _replies(known: Headline) -> Iterator[str]:
+    """Yields what is to be known of replies among other frames."""
+    if known.frames > 1 and known.failed:
+        yield f"{_counted(known.failed, 'reply')} {'says' if known.failed == 1 else 'say'} that a command failed."
+    if known.frames > 1 and known.faulty:
+        yield f"{_counted(known.faulty, 'reply')} cannot be right."
 
 
 _SUBJECTS: dict[Subject, tuple[Callable[[Headline], str], Callable[[Headline], Verdict]]] = {
     Subject.EMPTY: (lambda _: "", lambda _: _NOT_JUDGED),
     Subject.TEXT: (lambda _: "A text without a frame.", _of_text),
     Subject.FILE: (lambda _: "A file without a frame.", lambda _: _NOT_JUDGED),
-    Subject.PART: (lambda _: "A frame that cannot be read to its end.", lambda _: _NOT_JUDGED),
-    Subject.MISTAKEN: (
-        lambda known: f"Operations with {'a mistake' if known.unread == 1 else 'mistakes'}.",
-        lambda _: _NOT_JUDGED,
-    ),
+    Subject.PART: (_part, lambda _: _NOT_JUDGED),
+    Subject.MISTAKEN: (_mistaken("Operations"), lambda _: _NOT_JUDGED),
+    Subject.SOURCE: (_mistaken("A program"), lambda _: _NOT_JUDGED),
     Subject.NO_HEADER: (_bare, _of_bare),
     Subject.NO_LENGTH: (_bare, _of_bare),
+    Subject.LETTERS: (
+        _lettered,
+        lambda _: (NONE, "", "Bytes are written with the digits 0 to 9 and the letters A to F."),
+    ),
     Subject.FRAME: (_frame, _of_frames),
     Subject.REPLY: (_reply, _of_reply),
     Subject.FRAMES: (_many("a series"), _of_frames),
@@ -178,7 +220,7 @@ _SUBJECTS: dict[Subject, tuple[Callable[[Headline], str], Callable[[Headline], V
 def _reason(report: Report) -> str:
     """Returns what was probably meant, or else the finding at which the brick stops, or the worst one."""
     meant = () if isinstance(report, ProgramReport) or not report.errors else report.nearest
-    if len(meant) == 1:
+    if len(meant) == 1 and meant[0].kind != "memory-size":
         return meant[0].message
     stops = [each for each in report.findings if each.offset == report.rejected_at]
     return next(each for severity in Severity for each in stops or report.findings if each.severity is severity).message
@@ -198,16 +240,22 @@ def label(proposal: Proposal, *, has_lines: bool) -> str:
 
 
 def _change(proposal: Proposal) -> str:
-    if proposal.kind in _LABELS:
-        return _LABELS[proposal.kind].format(before=proposal.before, after=proposal.after)
     before, after = proposal.before, proposal.after
-    assert isinstance(before, bytes)
-    assert isinstance(after, bytes)
+    if proposal.kind in _LABELS or not (isinstance(before, bytes) and isinstance(after, bytes)):
+        return _LABELS[proposal.kind].format(before=before, after=after)
+    length = f"et the length to {frame_size(after) - LENGTH_FIELD}"
     if before[LENGTH_FIELD:] == after[LENGTH_FIELD:]:
-        return f"Set the length to {frame_size(after) - LENGTH_FIELD}"
+        return f"S{length}"
+    # The length of a right one changes with the bytes.
+    is_wrong = before[:LENGTH_FIELD] != after[:LENGTH_FIELD] and frame_size(before) != len(before)
+    return f"{_change_of_bytes(before, after)}{f', and s{length}' if is_wrong else ''}"
+
+
+def _change_of_bytes(before: bytes, after: bytes) -> str:
     at, end, new = difference(before, after)
     if HEADER_SIZE <= at < end <= COMMAND_HEADER_SIZE and len(before) == len(after):
-        return "Request {} bytes of global and {} of local memory".format(*read_memory(after))
+        global_size, local_size = read_memory(after)
+        return f"Request {_counted(global_size, 'byte')} of global and {local_size} of local memory"
     old = before[at:end]
     if max(len(old), len(new)) > _MOST_BYTES:
         return f"Change {_counted(max(len(old), len(new)), 'byte')} from byte {at} on"
@@ -218,6 +266,7 @@ def _change(proposal: Proposal) -> str:
 
 _LABELS = {
     "length-missing": "Add the length",
+    "length-half": "Write the length in two bytes",
     "header-missing": "Add a header",
     "digits": "Read the digits",
     "letters": "Read O as 0 and l as 1",

@@ -11,9 +11,11 @@ from ev3proto.dialogue import Exchange
 from ev3proto.reading.headline import Headline, Proposal, Subject
 from ev3proto.reading.items import Problem, ProblemCode
 from ev3proto.schema.frame import parse
+from ev3proto.schema.header import frame_size
 from ev3proto.semantics.identify import Kind, identify
 from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_hex
+from ev3proto.text.paste import Pasted
 
 from .completing import meant
 
@@ -31,14 +33,38 @@ _MISSING = {Kind.NO_LENGTH: "length-missing", Kind.OPERATIONS: "header-missing"}
 """The kinds of what is added to bytes."""
 
 
-def bare(text: str) -> Headline | None:
-    """Returns what a line of hex is that is a frame but for its header or its length; None for any other text."""
+def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | None:
+    """Returns what hex is that is a frame but for its header, its length or some letters, and the frame; or None.
+
+    Args:
+        text: The text.
+        pieces: What was read in it: with a whole frame, it is not one that lacks something.
+    """
     data = _bytes_of(text)
-    found = None if data is None else identify(data)
-    if found is None or found.frame is None or found.kind not in _BARE or not _is_right(found.frame):
+    if data is None:
+        frame = _bytes_of(text.translate(_LETTERS))
+        return None if frame is None or not _is_right(frame) else _known(Subject.LETTERS, "letters", b"", frame, text)
+    found = identify(data)
+    if found.frame is None or found.kind not in _BARE or any(map(_is_whole, pieces)):
         return None
-    exchange = Exchange(parse(found.frame, strict=False))
-    return Headline(_BARE[found.kind], exchange=exchange, worst=check(found.frame, alone=True))
+    is_known = _is_reply(found.frame) or _is_right(found.frame)
+    return _known(_BARE[found.kind], _MISSING[found.kind], data, found.frame, text) if is_known else None
+
+
+def _is_whole(piece: Pasted) -> bool:
+    return bool(piece.data) and len(piece.data) == frame_size(piece.data)
+
+
+def _known(subject: Subject, kind: str, data: bytes, frame: bytes, text: str) -> tuple[Headline, Proposal]:
+    """Returns the headline of a text that is nearly a frame, and the proposal of the frame."""
+    message = parse(frame, strict=False)
+    made = Proposal(kind, 0, data, frame, as_hex(message) + "\n" * text.endswith("\n"))
+    return Headline(subject, exchange=Exchange(message), worst=check(frame, alone=True)), made
+
+
+def _is_reply(frame: bytes) -> bool:
+    kind = parse(frame, strict=False).type
+    return kind is not None and not kind.is_command
 
 
 def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[Problem]) -> list[Proposal]:
@@ -52,7 +78,7 @@ def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[P
     if any(problem.code is ProblemCode.SOURCE for problem in problems):
         return list(_respelt(text, problems))
     lines = text.split("\n")
-    if not text.strip().count("\n"):
+    if wrong and not text.strip().count("\n"):
         wrong = {text[: len(text) - len(text.lstrip())].count("\n") + 1: next(iter(wrong.values()), None)}
     fixed = fix_text(text)
     certain = {each.line: each.fix.frame for each in fixed.frames if each.is_written and each.line in fixed.lines}
@@ -67,10 +93,24 @@ def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[P
             of_line[made] = of_line[made][0] if of_line else _kind_of(frame or b""), edited
         for made, (kind, line) in of_line.items():
             whole = "\n".join([*lines[: number - 1], line, *lines[number:]])
-            found.append(Proposal(kind, number, frame or b"", made, whole))
+            found.append(Proposal(kind, number, frame or _bytes_in(lines[number - 1]), made, whole))
     if len(fixed.lines) > 1:
         found.append(Proposal("all", 0, "", "", fixed.text))
     return found
+
+
+def _bytes_in(line: str) -> bytes:
+    """Returns the bytes at the end of a line."""
+    found = (_bytes_of(line[start:]) for start in _starts(line))
+    return next((data for data in found if data is not None), b"")
+
+
+def _starts(line: str) -> Iterator[int]:
+    """Yields where the bytes of a line may start: at its start, and after each word that is not bytes."""
+    yield 0
+    for word in re.finditer(r"(\S+)\s+", line):
+        if _bytes_of(word[1]) is None:
+            yield word.end()
 
 
 def _kind_of(frame: bytes) -> str:
@@ -94,7 +134,7 @@ def _respelt(text: str, problems: Sequence[Problem]) -> Iterator[Proposal]:
 
 def _of_line(line: str, frame: bytes | None) -> Iterator[tuple[str, bytes, str]]:
     """Yields what can be done about a line: the kind of each change, the frame, and the line that it makes."""
-    for start in (0, *(each.end() for each in re.finditer(r"\s+", line))):
+    for start in _starts(line):
         text = line[start:]
         data = _bytes_of(text)
         if data is not None and _is_right(data):
@@ -122,9 +162,9 @@ def _meant(text: str) -> Iterator[tuple[str, bytes]]:
 
 
 def _bytes_of(text: str) -> bytes | None:
-    """Returns the bytes of a text that has nothing but one line of hex."""
+    """Returns the bytes of a text that has nothing but hex."""
     digits = _BETWEEN.sub("", text.strip())
-    if "\n" in text.strip() or not digits or len(digits) % 2 or not re.fullmatch(r"[0-9A-Fa-f]+", digits):
+    if not digits or len(digits) % 2 or not re.fullmatch(r"[0-9A-Fa-f]+", digits):
         return None
     return bytes.fromhex(digits)
 

@@ -19,7 +19,7 @@ from ev3proto.program import assemble, check_program
 from ev3proto.program import parse as parse_program
 from ev3proto.reading.assembling import assembled
 from ev3proto.reading.given import Given
-from ev3proto.reading.headline import Headline, Subject
+from ev3proto.reading.headline import Headline, Proposal, Subject
 from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, SourceKind
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
@@ -28,6 +28,7 @@ from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT, is_assembly
 from ev3proto.text.forms import as_c, as_hex, as_python
+from ev3proto.text.paste import read_text
 from ev3proto.text.phrases import LEGO, spaced_hex
 from ev3proto.text.spans import visible
 
@@ -54,8 +55,11 @@ MOST_COMPLAINTS = 12
 MOST_WARNINGS = 20
 """Maximum number of warnings about a program's source."""
 
-TYPED = "input"
-"""The name of what was typed, in places."""
+TYPED = ""
+"""The name of what was typed: its places are lines."""
+
+MOST_BARE = 2000
+"""Maximum number of characters of a text that may be one frame which lacks its header, or its length."""
 
 OFTEN = 0.05
 """Seconds between two steps of what takes long."""
@@ -93,8 +97,10 @@ class Input:
         self._name = TYPED
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._bare: Headline | None = None
+        self._mended: Proposal | None = None
         self._first: Record | None = None
         self._seen = self._objects = 0
+        self._is_program = False
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._lesson_size = 0
@@ -108,16 +114,18 @@ class Input:
     def type(self, text: str) -> Steps:
         """Reads what was typed or pasted."""
         self._typed = text
+        self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
+        # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
+        is_source = is_assembly(text.strip())
+        pieces = [] if is_source or len(text) > MOST_BARE else list(read_text(text.splitlines()))
         if OBJECT.search(text):
             self._program_of(text, TYPED)
-        elif (found := bare(text.strip())) is not None:
-            self._bare = found
+        elif len(text) <= MOST_BARE and (found := bare(text, pieces)) is not None:
+            self._bare, self._mended = found
         elif text.strip():
-            # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
-            is_long = "\n" in text.strip() or is_assembly(text.strip())
-            self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
+            is_word = "\n" not in text.strip() and not is_source and len(pieces) < 2
             word = Given(TYPED, word=text.strip(), is_name=False)
-            yield from self._read(Given(TYPED, lines=self._counted(text)) if is_long else word)
+            yield from self._read(word if is_word else Given(TYPED, lines=self._counted(text)))
         yield {"answer": self.answer()}
 
     def open(self, path: Path) -> Steps:
@@ -219,6 +227,7 @@ class Input:
 
     def _program_of(self, text: str | bytes, label: str) -> None:
         """Reads the source of a program."""
+        self._is_program = True
         try:
             made = assemble(text)
         except AssemblyError as error:
@@ -263,7 +272,7 @@ class Input:
             self._lesson.append(as_hex(message))
             self._lesson_size += len(self._lesson[-1]) + 1
         if _is_reply(record):
-            self._findings.has_others = True
+            self._findings.reply(record, f"{place}: " if place else "")
         else:
             self._findings.frame(frame, number, place, line, carrier=carrier)
 
@@ -311,10 +320,13 @@ class Input:
             findings.refused,
             errors - findings.refused,
             findings.count(Severity.WARNING),
+            findings.failed,
+            findings.faulty,
             unread,
             self._seen,
             first.exchange if first is not None and count == 1 else None,
             first.missing if first is not None else 0,
+            len(first.rest) if first is not None else 0,
             None if worst is None else worst.report,
             "" if worst is None else worst.place.removeprefix(f"{self._name}, "),
         )
@@ -323,7 +335,7 @@ class Input:
         """Returns what an input is that is not a program."""
         first = self._first
         if first is None and any(problem.code is ProblemCode.SOURCE for problem in self._problems):
-            return Subject.MISTAKEN
+            return Subject.SOURCE if self._is_program else Subject.MISTAKEN
         if first is None:
             return Subject.FILE if self._typed is None else Subject.TEXT if self._typed.strip() else Subject.EMPTY
         if self._pages.frames == 1 and first.written is not None and first.written.is_typed and self._problems:
@@ -367,7 +379,10 @@ class Input:
         text = self._typed
         if not text or self.image is not None or self._pages.frames > FEW:
             return []
-        found = proposals(text, self._wrong(), [] if self._first is not None else self._problems)
+        if self._mended is not None:
+            found = [self._mended]
+        else:
+            found = proposals(text, self._wrong(), [] if self._first is not None else self._problems)
         has_lines = "\n" in text.strip()
         return [{"label": label(each, has_lines=has_lines), "text": each.text} for each in found]
 
@@ -375,7 +390,7 @@ class Input:
         """Returns the lines of a text that are wrong, each with the frame in it, if there is one."""
         unread = [problem.place.line or 1 for problem in self._problems if problem.code is ProblemCode.TEXT]
         found: dict[int, bytes | None] = {each.line or 1: each.report.frame for each in self._findings.frames}
-        return found | dict.fromkeys(unread)
+        return found | dict.fromkeys(unread or ([] if self._first is not None else [1]))
 
     # The timeline
 

@@ -25,6 +25,8 @@ _STATEMENT = re.compile(
 _NAME = re.compile(r"([A-Za-z_]\w*)(?:\.\w+)?\s*(?:\(|$)", re.ASCII)
 _LOG_LEVEL = re.compile(r"[A-Z]+\s*\([^)]*\)\s*:", re.ASCII)
 """`INFO(main): sent ...`: a line of a log, though INFO is an operation, too."""
+_ADDRESS = re.compile(r"\s*\w+://", re.ASCII)
+"""`http://192.168.0.1`: an address, not a label and a comment."""
 
 _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 
@@ -32,7 +34,7 @@ _NAMES = {opcode.name for opcode in OPCODES} | {entry.name for entry in SYSTEM}
 def is_assembly(line: str) -> bool:
     """Returns whether a line can only be assembly, also a misspelt one, or one with a comment."""
     code = narrow(line).partition("//")[0].strip()
-    if _LOG_LEVEL.match(code):
+    if _LOG_LEVEL.match(code) or _ADDRESS.match(line):
         return False
     if _STATEMENT.match(code) or is_python(line):
         return True

@@ -38,54 +38,51 @@ class Location:
         """Returns the place at a distance in bytes."""
         return Location(self.buffer, self.at + distance)
 
-    def _whole(self, size: int) -> int:
+    def check(self, size: int) -> int:
+        """Returns the offset. Raises WildAccess where this number of bytes does not fit."""
         if self.at < 0 or self.at + size > len(self.buffer):
             raise WildAccess
         return self.at
-
-    def check(self, size: int) -> None:
-        """Raises WildAccess where this number of bytes does not fit."""
-        self._whole(size)
 
     # Numbers
 
     def read8(self) -> int:
         """Reads a DATA8."""
-        return int(_INTEGER8.unpack_from(self.buffer, self._whole(1))[0])
+        return int(_INTEGER8.unpack_from(self.buffer, self.check(1))[0])
 
     def read16(self) -> int:
         """Reads a DATA16."""
-        return int(_INTEGER16.unpack_from(self.buffer, self._whole(2))[0])
+        return int(_INTEGER16.unpack_from(self.buffer, self.check(2))[0])
 
     def read32(self) -> int:
         """Reads a DATA32."""
-        return int(_INTEGER32.unpack_from(self.buffer, self._whole(4))[0])
+        return int(_INTEGER32.unpack_from(self.buffer, self.check(4))[0])
 
     def read_bits(self) -> int:
         """Reads four bytes as an unsigned number: the bits of a float."""
-        return int(_BITS32.unpack_from(self.buffer, self._whole(4))[0])
+        return int(_BITS32.unpack_from(self.buffer, self.check(4))[0])
 
     def read_float(self) -> float:
         """Reads a DATAF."""
-        return float(_FLOAT.unpack_from(self.buffer, self._whole(4))[0])
+        return float(_FLOAT.unpack_from(self.buffer, self.check(4))[0])
 
     def write8(self, value: int) -> None:
         """Writes the low 8 bits of a number."""
-        self.buffer[self._whole(1)] = value & 0xFF
+        self.buffer[self.check(1)] = value & 0xFF
 
     def write16(self, value: int) -> None:
         """Writes the low 16 bits of a number."""
-        at = self._whole(2)
+        at = self.check(2)
         self.buffer[at] = value & 0xFF
         self.buffer[at + 1] = value >> 8 & 0xFF
 
     def write32(self, value: int) -> None:
         """Writes the low 32 bits of a number."""
-        _BITS32.pack_into(self.buffer, self._whole(4), value & 0xFFFFFFFF)
+        _BITS32.pack_into(self.buffer, self.check(4), value & 0xFFFFFFFF)
 
     def write_float(self, value: float) -> None:
         """Writes a number, rounded to the nearest single; beyond their range infinity, and the brick's own NaN."""
-        at = self._whole(4)
+        at = self.check(4)
         if value != value:
             _BITS32.pack_into(self.buffer, at, NOT_A_NUMBER)
             return
@@ -100,12 +97,12 @@ class Location:
         """Reads a number of bytes; none for a negative number."""
         if count <= 0:
             return b""
-        at = self._whole(count)
+        at = self.check(count)
         return bytes(self.buffer[at : at + count])
 
     def write_bytes(self, data: bytes) -> None:
         """Writes bytes."""
-        at = self._whole(len(data))
+        at = self.check(len(data))
         self.buffer[at : at + len(data)] = data
 
     def read_text(self, most: int | None = None) -> bytes:

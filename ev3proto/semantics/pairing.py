@@ -235,21 +235,20 @@ class Pairing(Generic[T]):
         if is_sure:
             self._longest_ns = max(self._longest_ns, self._age_ns(number, time_ns))
         else:
-            in_time = self._in_time(fitting, time_ns)
-            number = number if in_time is None else in_time
+            number = self._in_time(fitting, time_ns, number)
         for earlier in numbers[: numbers.index(number)]:
             self._lose(earlier)
         if not self._is_ordered:
-            is_sure = is_sure and number not in self._unsure
+            is_sure &= number not in self._unsure
             self._unsure.update(fitting)
         asked = waiting[number].size
         return Answer(self._forget(number), is_sure, asked, size)
 
-    def _in_time(self, fitting: list[int], time_ns: int | None) -> int | None:
-        """Returns the oldest of some commands that was not sent too long ago; None if all were."""
+    def _in_time(self, fitting: list[int], time_ns: int | None, late: int) -> int:
+        """Returns the oldest of some commands that was not sent too long ago, `late` if all were."""
         longest_ns = self._longest_ns
         patience_ns = FIRST_PATIENCE_NS if longest_ns < 0 else max(PATIENCE * longest_ns, LEAST_PATIENCE_NS)
-        return next((number for number in fitting if self._age_ns(number, time_ns) <= patience_ns), None)
+        return next((number for number in fitting if self._age_ns(number, time_ns) <= patience_ns), late)
 
     def _labelled(self, fitting: list[int], label: str) -> list[int]:
         """Returns those of the commands that a reply with a label may answer."""

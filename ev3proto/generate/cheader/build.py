@@ -25,24 +25,24 @@ def build() -> str:
     return Template("\n".join(sections)).substitute(_facts())
 
 
-def _facts() -> dict[str, str]:
+def _facts() -> dict[str, object]:
     """Returns the numbers from the tables that the hand-written parts refer to."""
-    facts = {
+    facts: dict[str, object] = {
         "VERSION": VERSION,
-        "TCP_PORT": str(TCP_PORT),
-        "MAX_FRAME": str(MAX_FRAME),
-        "LENGTH_FIELD": str(LENGTH_FIELD),
-        "HEADER_SIZE": str(HEADER_SIZE),
-        "MEMORY_SIZE": str(COMMAND_HEADER_SIZE - HEADER_SIZE),
-        "MAX_COUNTER": str(COUNTERS - 1),
-        "MAX_GLOBALS": str(MAX_GLOBALS),
-        "MAX_LOCALS": str(MAX_LOCALS),
-        "GLOBAL_BITS": str(GLOBAL_BITS),
+        "TCP_PORT": TCP_PORT,
+        "MAX_FRAME": MAX_FRAME,
+        "LENGTH_FIELD": LENGTH_FIELD,
+        "HEADER_SIZE": HEADER_SIZE,
+        "MEMORY_SIZE": COMMAND_HEADER_SIZE - HEADER_SIZE,
+        "MAX_COUNTER": COUNTERS - 1,
+        "MAX_GLOBALS": MAX_GLOBALS,
+        "MAX_LOCALS": MAX_LOCALS,
+        "GLOBAL_BITS": GLOBAL_BITS,
         "HANDLE_BIT": f"0x{HANDLE_BIT:02X}",
         "ADDRESS_BIT": f"0x{ADDRESS_BIT:02X}",
         "NAN_FLOAT": f"0x{int.from_bytes(NAN_FLOAT, 'little'):08X}",
-        "DATA8_MAX": str(RANGES[Type.DATA8].high),
-        "DATA16_MAX": str(RANGES[Type.DATA16].high),
+        "DATA8_MAX": RANGES[Type.DATA8].high,
+        "DATA16_MAX": RANGES[Type.DATA16].high,
     }
     for form in _FORMS:
         head = encode_as(form, "" if form.startswith("LCS") else 0)[0]

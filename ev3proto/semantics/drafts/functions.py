@@ -145,7 +145,7 @@ def draft(schema: OperationSchema, values: Sequence[Any], *, unchecked: bool = F
     try:
         flat = schema.one_by_one(_in_order(schema, values, unchecked))
         places = {number: value for number, value in enumerate(flat) if isinstance(value, Placeholder | Open)}
-        label = flat[-1] if flat and isinstance(flat[-1], Label) and declaration.is_jump else None
+        label = flat[-1] if declaration.is_jump and isinstance(flat[-1], Label) else None
         operation = schema.make([_standing(value) for value in flat] if places or label is not None else flat)
         if not unchecked:
             for _, sentence in objections(operation):
@@ -193,9 +193,8 @@ def _elements(parameter: Parameter, value: Any) -> list[Any]:
         if value is None:
             return [OMITTED]
         if isinstance(value, int) and not isinstance(value, bool):
-            most = COUNTS.high
-            if not 0 <= value <= most:
-                raise BuildError(f"{parameter.name} must be 0 to {most} as a number of outputs, not {value}")
+            if not 0 <= value <= COUNTS.high:
+                raise BuildError(f"{parameter.name} must be 0 to {COUNTS.high} as a number of outputs, not {value}")
             return [OMITTED] * value
         if isinstance(value, Variable | Placeholder):
             return [value]

@@ -11,7 +11,7 @@ import io
 import os
 import stat
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -85,24 +85,25 @@ class Storage:
         is_above = len(names) < len(HOME) and HOME[: len(names)] == tuple(names)
         return HOME[len(names)] if is_above and self.root is not None and 0 < len(path) <= MOST_PATH else None
 
+    def _place(self, path: bytes, is_meant: Callable[[Path], bool]) -> Path | None:
+        """Returns the path on this computer of a file or a folder; None for anything else."""
+        place = self.locate(path)
+        return place if place is not None and is_meant(place) else None
+
     def is_file(self, path: bytes) -> bool:
         """Returns whether a path names a file."""
-        place = self.locate(path)
-        return place is not None and _is_file(place)
+        return self._place(path, _is_file) is not None
 
     def is_folder(self, path: bytes) -> bool:
         """Returns whether a path names a folder."""
-        place = self.locate(path)
-        return (place is not None and _is_folder(place)) or self._above(path) is not None
+        return self._place(path, _is_folder) is not None or self._above(path) is not None
 
     # Reading
 
     def open_to_read(self, path: bytes) -> StoredFile | None:
         """Opens a file to read; None if it does not exist."""
-        place = self.locate(path)
-        if place is None or not _is_file(place):
-            return None
-        return self._open(place, os.O_RDONLY, "rb")
+        place = self._place(path, _is_file)
+        return None if place is None else self._open(place, os.O_RDONLY, "rb")
 
     def read(self, path: bytes) -> bytes | None:
         """Reads a whole file; None if it does not exist."""
@@ -120,10 +121,10 @@ class Storage:
 
         None for an unknown folder. Anything but files, folders and links is omitted.
         """
-        place, above = self.locate(path), self._above(path)
+        place, above = self._place(path, _is_folder), self._above(path)
         if above is not None:
             return above + b"/\n../\n./\n"
-        if place is None or not _is_folder(place):
+        if place is None:
             return None
         lines = []
         for name, status in _entries(place):
@@ -146,10 +147,10 @@ class Storage:
 
     def entries(self, path: bytes) -> list[bytes]:
         """Returns the names in a folder, without . and ..; none for anything else."""
-        place, above = self.locate(path), self._above(path)
+        place, above = self._place(path, _is_folder), self._above(path)
         if above is not None:
             return [above]
-        if place is None or not _is_folder(place):
+        if place is None:
             return []
         with suppress(OSError), os.scandir(place) as found:
             return [os.fsencode(entry.name) for entry in found]
@@ -229,8 +230,8 @@ class Storage:
     def remove(self, path: bytes) -> bool:
         """Deletes a file, or a folder with its files; a folder that contains folders stays, with these."""
         path = path.rstrip(b"/")
-        place = self.locate(path)
-        if place is not None and _is_folder(place):
+        place = self._place(path, _is_folder)
+        if place is not None:
             for name, status in _entries(place):
                 if not stat.S_ISDIR(status.st_mode):
                     self.delete(path + b"/" + os.fsencode(name))
@@ -260,8 +261,7 @@ class Storage:
         if reader is None:
             return False
         with reader:
-            goal = self.locate(target)
-            if goal is not None and _is_folder(goal):
+            if self._place(target, _is_folder) is not None:
                 self._delete_tree(target, MOST_DEPTH)
             if os.fstat(reader.fileno()).st_size > self.free:
                 return False
@@ -272,8 +272,8 @@ class Storage:
                 return writer.put(reader.readall())
 
     def _delete_tree(self, path: bytes, depth: int) -> None:
-        place = self.locate(path)
-        if place is not None and _is_folder(place) and depth:
+        place = self._place(path, _is_folder) if depth else None
+        if place is not None:
             for name, _ in _entries(place):
                 self._delete_tree(path + b"/" + os.fsencode(name), depth - 1)
         self.delete(path)

@@ -9,7 +9,6 @@ import subprocess
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from tempfile import TemporaryFile
-from types import TracebackType
 from typing import Self, cast
 
 from ev3proto.capture import CaptureError
@@ -154,9 +153,7 @@ class Run:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.stop()
         self.output.close()  # remaining output is not waited for
         try:

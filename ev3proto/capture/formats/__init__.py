@@ -9,7 +9,6 @@ import stat
 import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from types import TracebackType
 from typing import Any, BinaryIO, Self
 
 from ev3proto.capture.formats import btsnoop, packetlogger, pcap, pcapng, unread, usbmon_text
@@ -131,9 +130,7 @@ class CaptureFile:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, where: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def _unpacked(self, found: Format) -> Iterator[Packet]:

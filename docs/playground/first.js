@@ -5,30 +5,33 @@ import { decode } from "./ev3-decode.mjs";
 import { NOTHING } from "./places.js";
 import { bytesOf, partsOf, rowsOf } from "./rows.js";
 
-/** Returns the bytes of a text that is one frame in hex: a word, the lesson's bars, or pairs that cannot be decimal. @param {string} text */
-const frameOf = (text) => {
-  const isWord = /^(?:[0-9a-f]{2}){5,}$/i.test(text), isBars = /^0x\|(?:[0-9a-f]{2}[:|])+$/i.test(text), isPairs = /^[0-9a-f]{2}(?:[ :][0-9a-f]{2}){4,}$/i.test(text) && /[a-f]/i.test(text);
-  return isWord || isBars || isPairs ? Uint8Array.from(bytesOf(text.replace(/^0x|[:| ]/gi, ""))) : null;
-};
+/** The notations that can be nothing else, for Python, which knows many more: a word, the lesson's bars, pairs of which one has a letter. */
+const HEX = /^(?:(?:[0-9a-f]{2}){5,}|0x\|(?:[0-9a-f]{2}[:|]){5,}|(?=.*[a-f])[0-9a-f]{2}(?:[ :][0-9a-f]{2}){4,})$/i;
+
+/** Of a wrong length, Python knows the frame again: the fewest bytes, how many any frame may lack, how often a right command those that are there. */
+const LEAST = 7, NEARLY = 2, MOST = 8;
 
 /**
  * Whether Python certainly reads these bytes as one frame, and says no more of it. It may take what is longer than its length says for
- * several frames, and what is shorter for bytes that lost their zeros, and says how much of a file came.
+ * several frames, what lacks much for another text, and says how much of a file came.
  *
- * @param {any} message
+ * @param {any} message @param {Uint8Array} frame
  */
-const isSure = ({ type, length, hex, fields = {} }) => type && length + 2 === hex.length / 2 && fields.path === undefined;
+const isSure = ({ kind, length, fields = {} }, frame) => {
+  const size = frame.length, missing = length + 2 - size;
+  if (fields.path !== undefined || missing < 0 || (missing > 0 && size < LEAST)) return false;
+  const mended = () => decode(Uint8Array.of((size - 2) & 0xff, (size - 2) >> 8, ...frame.subarray(2)));
+  return missing <= NEARLY || (length + 2 <= MOST * size && kind.endsWith("command") && !mended().fault);
+};
 
-/** Returns what the page shows of a frame until Python has read it; null for any other text. @param {string} text */
+/** Returns what the page shows of a frame until Python has read it, only the headline if Python may see another one; null for any other text. @param {string} text */
 export const firstAnswer = (text) => {
-  const frame = frameOf(text.trim());
-  if (!frame) return null;
-  const message = decode(frame);
-  if (!isSure(message)) return null;
+  if (!HEX.test(text.trim())) return null;
+  const frame = Uint8Array.from(bytesOf(text.replace(/0x|\W/gi, ""))), message = decode(frame);
+  if (!message.type) return null;
   const lines = rowsOf(message), spoken = message.fault ? lines.at(-1) : lines[0];
   const sentence = (spoken?.[0] ?? []).map(([piece]) => piece).join("").trim();
-  return {
-    ...NOTHING, headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") },
-    count: 1, lines, frames: { 0: message.hex }, page: { ...NOTHING.page, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] },
-  };
+  const said = { ...NOTHING, headline: { sentence, verdict: "It is being checked.", kind: /** @type {const} */ ("none"), severity: /** @type {const} */ ("") } };
+  if (!isSure(message, frame)) return said;
+  return { ...said, count: 1, lines, frames: { 0: message.hex }, page: { ...NOTHING.page, end: 1 }, about: { sentence, parts: partsOf(message), bytes: [] } };
 };

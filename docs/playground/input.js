@@ -220,7 +220,7 @@ if (document.activeElement === document.body && !matchMedia("(pointer: coarse)")
 /** Shows a frame until Python has read it. @param {string} text */
 const preview = (text) => {
   const answer = state().isReady ? null : firstAnswer(text);
-  document.body.classList.toggle("early", answer !== null);
+  document.body.classList.toggle("early", answer !== null && answer.lines.length > 0);
   if (!answer) return;
   view(answer, false);
   change({ isStale: false });

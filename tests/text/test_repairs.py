@@ -65,6 +65,12 @@ def test_a_frame_that_is_named(text: str, meant: str) -> None:
     assert meant in (piece.problem or "")
 
 
+def test_a_frame_whose_length_counts_itself_lost_no_zeros() -> None:
+    # Read so, it would be a reply: 0B 00 00 D2 02 30 00 91 48 A9 20 20 72.
+    (piece,) = pieces("0b00d223009148a9202072")
+    assert (piece.data.hex(), piece.problem) == ("0b00d223009148a9202072", None)
+
+
 def test_a_word_that_lost_its_last_digit_was_cut() -> None:
     (piece,) = pieces("0e002a0080000094010182b80182e80")
     assert piece.data.hex() == "0e002a0080000094010182b80182e8"

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from ev3proto.schema.frame import is_flawless
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, frame_size
+from ev3proto.semantics.identify import Kind, identify
 from ev3proto.semantics.likelihood import FAULT, CommandCode
 from ev3proto.tables.frame import MESSAGE_TYPES, MessageType
 from ev3proto.text.paste.elements import MISSPELT, elements_of, narrow, string_bytes
@@ -82,8 +83,15 @@ def _lost_zero(line: str) -> Iterator[str]:
 def _unpadded(line: str) -> Iterator[str]:
     word = _HEX_WORD.search(line)
     before, after = (line[: word.start()], line[word.end() :]) if word is not None else ("", line)
-    if word is not None and not after.strip(AROUND) and (is_head(before) or before.endswith(("'", '"'))):
+    if word is None or after.strip(AROUND) or _is_wrong_frame(word[1]):
+        return
+    if is_head(before) or before.endswith(("'", '"')):
         yield from islice(_parted(word[1], (int(word[1][0], 16), int(word[1][:2], 16))), _MOST_TRIED)
+
+
+def _is_wrong_frame(digits: str) -> bool:
+    """Returns whether digits are a frame with a slip as they are: that is likelier than that zeros are lost."""
+    return len(digits) % 2 == 0 and identify(bytes.fromhex(digits), missing=False).kind is Kind.SLIP
 
 
 def _parted(digits: str, lengths: tuple[int, int]) -> Iterator[str]:

@@ -9,10 +9,8 @@ const statuses = byNumber(TABLES.system_statuses), devices = byNumber(TABLES.dev
 
 /** What each identification byte says. */
 const forms = [];
-for (const { first, last, name, kind, value, width = null, handle = false, address = false } of TABLES.encodings) {
-  for (let byte = first; byte <= last; byte++) {
-    forms[byte] = { encoding: name, kind, width, handle, address, value: value === undefined ? null : value + byte - first };
-  }
+for (const { first, last, name, value, ...form } of TABLES.encodings) {
+  for (let byte = first; byte <= last; byte++) forms[byte] = { ...form, encoding: name, value: value === undefined ? null : value + byte - first };
 }
 
 /** Returns what is known of an operation: its names, its parameters, and the list at its end. */
@@ -26,23 +24,18 @@ const declared = (opcode, command = null) => {
   return { ...entry, tail: { hasOwnCount: last.type === "count", element, typedBy: last.element_from, made: {} } };
 };
 
-/** Returns the operations of a dialect: by the numbers of opcode and CMD, and by name. */
+/** Returns the operations of a dialect, by the numbers of opcode and CMD. */
 const read = (dialect) => {
-  const opcodes = [], byName = new Map(), has = ({ dialects = TABLES.dialects }) => dialects.includes(dialect);
-  const add = (...given) => {
-    const entry = declared(...given);
-    byName.set(nameOfOperation(entry), entry);
-    return entry;
-  };
+  const opcodes = [], has = ({ dialects = TABLES.dialects }) => dialects.includes(dialect);
   for (const opcode of Object.values(TABLES.areas).flat().filter(has)) {
-    const cmds = opcode.commands?.filter(has).map((each) => [each.number, add(opcode, each)]);
-    opcodes[opcode.number] = { name: opcode.name, plain: cmds ? null : add(opcode), cmds: cmds ? new Map(cmds) : null };
+    const cmds = opcode.commands?.filter(has).map((each) => [each.number, declared(opcode, each)]);
+    opcodes[opcode.number] = { name: opcode.name, plain: cmds ? null : declared(opcode), cmds: new Map(cmds) };
   }
-  return { dialect, opcodes, byName };
+  return { dialect, opcodes };
 };
 const sets = {};
 const instructions = (dialect) => (sets[dialect] ??= read(dialect));
-const nameOfOperation = ({ op, command }) => (command === null ? op : `${op}.${command}`);
+const entryOf = ({ opcode, command }, { opcodes }) => opcodes[opcode].plain ?? [...opcodes[opcode].cmds.values()].find((each) => each.command === command);
 
 /** Returns the parameter of an argument, which for an element of a list may depend on the arguments before it. */
 const parameterOf = ({ fixed, tail }, args, index) => {
@@ -73,7 +66,7 @@ const plain = (value) => {
 };
 
 /** Returns the name of a number; null for none. */
-const nameOf = ({ members, flags = false }, value) => {
+const nameOf = ({ members, flags = false } = { members: {} }, value) => {
   const pairs = Object.entries(members), found = pairs.find(([, number]) => number === value);
   if (found || !flags || !value) return found?.[0] ?? null;
   const parts = pairs.filter(([, number]) => (value & number) === number), sum = parts.reduce((all, [, number]) => all + number, 0);
@@ -84,6 +77,15 @@ const nameOf = ({ members, flags = false }, value) => {
 
 /** What is wrong, and where; `truncated` if more bytes could mend it. */
 class Fault { constructor(offset, reason, truncated = false) { Object.assign(this, { offset, reason, truncated }); } }
+const faultOf = (read) => { try { return read() ?? null; } catch (fault) { if (fault instanceof Fault) return fault; throw fault; } };
+const cut = (data, what) => new Fault(data.length, `the frame ends before ${what}`, true);
+
+/** Reads a text up to its zero. Returns it, and the offset after it. */
+const readText = (data, start, at, what) => {
+  const zero = data.indexOf(0, start);
+  if (zero < 0) throw new Fault(at, `the ${what} runs past the end of the frame: its terminating zero is missing`, true);
+  return [textOf(data.subarray(start, zero)), zero + 1];
+};
 
 /** Whether an argument is a float: a constant of four bytes, where the parameter is one. */
 const isFloat = ({ kind, length }, parameter) => parameter.kind === DATAF && kind === "constant" && length === 5;
@@ -91,41 +93,33 @@ const LETTERS = { local: "L", global: "G" };
 const isVariable = ({ kind }) => kind in LETTERS;
 
 /** Reads an argument into a list. Returns the offset after it. */
-const readArgument = (data, at, end, parameter, args) => {
+const readArgument = (data, at, parameter, args) => {
   const { name } = parameter, form = forms[data[at]];
-  if (at >= end) throw new Fault(end, `the frame ends before the argument ${name}`, true);
+  if (at >= data.length) throw cut(data, `the argument ${name}`);
   if (!form) throw new Fault(at, `undefined identification byte ${shown(data[at])} (argument ${name})`);
-  const { kind, encoding, width, handle, address } = form;
-  const argument = { name, kind, encoding, value: form.value, offset: at, length: 1 };
-  if (width === null) {
-    const zero = data.subarray(0, end).indexOf(0, at + 1);
-    if (zero < 0) throw new Fault(at, `the string ${name} runs past the end of the frame: its terminating zero is missing`, true);
-    argument.value = textOf(data.subarray(at + 1, zero));
-    argument.length = zero + 1 - at;
+  const { kind, encoding, width, handle, address } = form, argument = { name, kind, encoding, value: form.value, offset: at, length: 1 };
+  if (width === undefined) {
+    const [text, end] = readText(data, at + 1, at, `string ${name}`);
+    Object.assign(argument, { value: text, length: end - at });
   } else if (form.value === null) {
     argument.length = 1 + width;
-    const missing = at + 1 + width - end;
+    const missing = at + 1 + width - data.length;
     if (missing > 0) throw new Fault(at, `the argument ${name} runs past the end of the frame: ${encoding} needs ${counted(missing, "more byte")}`, true);
     const value = unsigned(data, at + 1, width), isNegative = value >= 2 ** (8 * width - 1) && !isVariable(form);
     argument.value = isFloat(argument, parameter) ? plain(numberAt(data, DATAF, at + 1)) : isNegative ? value - 2 ** (8 * width) : value;
   }
-  if (handle) argument.handle = true;
-  if (address) argument.address = true;
-  const names = !isVariable(form) && !isFloat(argument, parameter) && TABLES.enumerations[parameter.enum];
-  const symbol = names ? nameOf(names, argument.value) : null;
-  if (symbol !== null) argument.symbol = symbol;
-  args.push(argument);
+  const symbol = isVariable(form) || isFloat(argument, parameter) ? null : nameOf(TABLES.enumerations[parameter.enum], argument.value);
+  args.push({ ...argument, ...(handle && { handle }), ...(address && { address }), ...(symbol !== null && { symbol }) });
   return at + argument.length;
 };
-
 const CMD = { name: "CMD", kind: DATA8 };
 
 /** Returns the entry at an opcode, CMD where it has one, and the offset after them. */
-const select = (data, at, end, { opcodes, dialect }) => {
+const select = (data, at, { opcodes, dialect }) => {
   const opcode = opcodes[data[at]];
   if (!opcode) throw new Fault(at, `unknown opcode ${shown(data[at])} for the ${dialect} firmware`);
   if (opcode.plain) return [opcode.plain, null, at + 1];
-  const args = [], next = readArgument(data, at + 1, end, CMD, args), [cmd] = args;
+  const args = [], next = readArgument(data, at + 1, CMD, args), [cmd] = args;
   if (cmd.kind !== "constant") throw new Fault(at + 1, `CMD of ${opcode.name} is ${isVariable(cmd) ? `${LETTERS[cmd.kind]}V(${cmd.value})` : `a ${cmd.kind}`}, but must be a constant`);
   const entry = opcode.cmds.get(cmd.value);
   if (entry) return [entry, cmd, next];
@@ -160,85 +154,74 @@ const addReadings = ({ fixed, tail, reading }, args) => {
 
 /** Reads operations in a row. Returns them, the offset after them, and what is wrong there. */
 const readOperations = (data, start, set) => {
-  const operations = [], end = data.length;
-  let at = start;
-  while (at < end) {
-    const args = [], operation = { op: "", opcode: data[at], command: null, offset: at, length: 0, args };
+  const operations = [];
+  let at = start, fault = null;
+  while (at < data.length && !fault) {
+    const offset = at, args = [];
     let entry = null, cmd;
-    try {
-      [entry, cmd, at] = select(data, at, end, set);
-      operation.op = entry.op;
-      operation.command = entry.command;
-      for (const parameter of entry.fixed) at = readArgument(data, at, end, parameter, args);
-      const last = entry.tail ? args.length + countOf(entry.tail, args.at(-1), end - at) : 0;
-      while (args.length < last) at = readArgument(data, at, end, parameterOf(entry, args, args.length), args);
-    } catch (fault) {
-      if (!(fault instanceof Fault)) throw fault;
-      if (entry?.reading) addReadings(entry, args);
-      if (entry) operations.push({ ...operation, length: at - operation.offset, complete: false });
-      return { operations, at, fault };
-    }
+    fault = faultOf(() => {
+      [entry, cmd, at] = select(data, at, set);
+      for (const parameter of entry.fixed) at = readArgument(data, at, parameter, args);
+      const last = entry.tail ? args.length + countOf(entry.tail, args.at(-1), data.length - at) : 0;
+      while (args.length < last) at = readArgument(data, at, parameterOf(entry, args, args.length), args);
+    });
+    if (!entry) break;
     if (entry.reading) addReadings(entry, args);
-    operation.length = at - operation.offset;
-    if (cmd && cmd.length > 1) operation.command_encoding = cmd.encoding;
-    operations.push(operation);
+    const more = fault ? { complete: false } : cmd?.length > 1 && { command_encoding: cmd.encoding };
+    operations.push({ op: entry.op, opcode: data[offset], command: entry.command, offset, length: at - offset, args, ...more });
   }
-  return { operations, at, fault: null };
+  return { operations, at, fault };
 };
 
-// System messages
+// System messages, and what their bytes may mean
 
 const SIZES = { u8: 1, u16: 2, u32: 4 };
 
-/** Returns the value of a field and its size. */
+/** Reads a text of a length that may count its zero. */
+const readCountedText = (data, at, length, left) => {
+  if (left < length) throw new Fault(at, `a text of ${length} bytes runs past the end of the frame`, true);
+  const end = at + length, zero = data[end];
+  if (length && data[end - 1] === 0) return [textOf(data.subarray(at, end - 1)), end];
+  if (left === length) throw new Fault(at, "the terminating zero of a text is missing", true);
+  if (zero) throw new Fault(end, `a text of ${length} bytes must end with a zero, not with ${shown(zero)}`);
+  return [textOf(data.subarray(at, end)), end + 1];
+};
+
+/** Returns the value of a field and the offset after it. */
 const readField = (data, at, { name, kind }, counter, length) => {
   const left = data.length - at, size = SIZES[kind];
   if (size && left < size) throw new Fault(at, `the frame ends before the field ${name} (${kind})`, true);
-  if (size) return [unsigned(data, at, size), size];
-  if (kind === "text") {
-    const zero = data.indexOf(0, at);
-    if (zero < 0) throw new Fault(at, `the text ${name} runs past the end of the frame: its terminating zero is missing`, true);
-    return [textOf(data.subarray(at, zero)), zero + 1 - at];
-  }
-  if (kind === "counted text") {
-    if (left < length) throw new Fault(at, `a text of ${length} bytes runs past the end of the frame`, true);
-    if (length && data[at + length - 1] === 0) return [textOf(data.subarray(at, at + length - 1)), length];
-    if (left === length) throw new Fault(at, "the terminating zero of a text is missing", true);
-    const zero = data[at + length];
-    if (zero) throw new Fault(at + length, `a text of ${length} bytes must end with a zero, not with ${shown(zero)}`);
-    return [textOf(data.subarray(at, at + length)), length + 1];
-  }
+  if (size) return [unsigned(data, at, size), at + size];
+  if (kind === "text") return readText(data, at, at, `text ${name}`);
+  if (kind === "counted text") return readCountedText(data, at, length, left);
   if (length !== undefined && length !== left) throw new Fault(at, `${counter} says ${length} bytes, but ${left} follow to the end of the frame`);
-  return [kind === "listing" ? textOf(data.subarray(at)) : data.subarray(at), left];
+  return [kind === "listing" ? textOf(data.subarray(at)) : data.subarray(at), data.length];
 };
 
 /** Reads the fields of a system message. `places` has the offset and length of each. */
 const readFields = (list, data, begin, mayEnd) => {
   const fields = {}, places = {}, counters = Object.fromEntries(list.map(({ name, counts }) => [counts, name]));
   let at = begin;
-  try {
+  const fault = faultOf(() => {
     for (const field of list) {
       if (at === data.length && (field.optional || mayEnd)) break;
-      const [value, length] = readField(data, at, field, counters[field.name], fields[counters[field.name]]);
-      fields[field.name] = value;
-      places[field.name] = { offset: at, length };
-      at += length;
+      const { name } = field, [value, end] = readField(data, at, field, counters[name], fields[counters[name]]);
+      fields[name] = value;
+      places[name] = { offset: at, length: end - at };
+      at = end;
     }
-  } catch (fault) {
-    if (!(fault instanceof Fault)) throw fault;
-    return { fields, places, at, fault };
-  }
-  const left = data.length - at;
-  return { fields, places, at, fault: left ? new Fault(at, `${counted(left, "byte")} left over after the last field`) : null };
+    const left = data.length - at;
+    return left ? new Fault(at, `${counted(left, "byte")} left over after the last field`) : null;
+  });
+  return { fields, places, at, fault };
 };
 const plainFields = (fields) => Object.fromEntries(Object.entries(fields).map(([name, value]) => [name, plain(value)]));
-
-// What bytes may mean: a message to a mailbox, and the memory of a reply whose command is not known
 
 const isPrintable = (bytes) => bytes.every((byte) => (byte >= 0x20 && byte < 0x7f) || byte >= 0xa0);
 const isLikely = (number) => number === 0 || Number.isNaN(number) || (Math.abs(number) >= 1e-6 && Math.abs(number) < 1e7);
 const orNone = (found) => (Object.keys(found).length ? { readings: found } : {});
 
+/** Returns what a message to a mailbox may be. */
 const readings = (bytes) => {
   const found = {}, zero = bytes.indexOf(0), text = bytes.subarray(0, -1), isNumber = bytes.length === 4;
   if (bytes.length === 1 && bytes[0] < 2) found.logic = bytes[0] === 1;
@@ -247,6 +230,7 @@ const readings = (bytes) => {
   return orNone(found);
 };
 
+/** Returns what the memory of a reply may be whose command is not known. */
 const guesses = (memory) => {
   const found = {}, zero = memory.indexOf(0), text = memory.subarray(0, Math.max(zero, 0)), size = [4, 2, 1].find((each) => memory.length % each === 0);
   if (zero > 1 && isPrintable(text) && memory.subarray(zero).every((byte) => byte === 0)) found.string = textOf(text);
@@ -260,65 +244,58 @@ const guesses = (memory) => {
 
 // Replies to direct commands: the memory, by the outputs of the command
 
-/** Returns how many values of an array an operation writes; null if it does not say. */
-const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, { fixed }, args) => {
-  if (length !== undefined) return length;
-  const count = wholeOf(from ?? indexedBy, fixed, args);
-  if (count === null) return null;
+/** Returns how many values an operation writes to an argument; null if it does not say. */
+const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, fixed, args) => {
+  const name = from ?? indexedBy, count = name === undefined ? 1 : wholeOf(name, fixed, args);
+  if (length !== undefined || name === undefined || count === null) return length ?? count;
   if (from === undefined) return count >= 0 ? count + 1 : null;
   return count === -1 && kind === STRING ? null : Math.abs(count);
 };
 
 /** Returns the outputs of an operation in global memory: where each begins, and its end if the operation says it. */
-const outputsOf = (operation, { byName }) => {
-  const entry = byName.get(nameOfOperation(operation)), { args } = operation;
+const outputsOf = (operation, set) => {
+  const entry = entryOf(operation, set), { args } = operation;
   return args.flatMap((argument, index) => {
     const parameter = parameterOf(entry, args, index), { kind, direction = "in" } = parameter, isElement = index >= entry.fixed.length;
     if (argument.kind !== "global" || direction === "in" || argument.address) return [];
-    const start = argument.value, isArray = (parameter.length ?? parameter.length_from ?? parameter.indexed_by) !== undefined;
+    const start = argument.value, count = lengthOf(parameter, isElement ? [] : entry.fixed, args), hasLength = (parameter.length ?? parameter.length_from) !== undefined;
     if (argument.handle) return [{ argument, kind: HANDLE, start, end: start + 2, isArray: false, parameter: {} }];
-    const count = isArray ? lengthOf(parameter, isElement ? { fixed: [] } : entry, args) : 1;
-    const hasLength = parameter.length !== undefined || parameter.length_from !== undefined;
     const isOpen = count === null || (kind === STRING && !hasLength) || (kind === UNTYPED && isElement);
     return [{ argument, kind, start, end: isOpen ? null : start + Math.max(kind.size ?? 1, 1) * count, isArray: hasLength, parameter }];
   });
 };
 
+/** Reads the text or the numbers that an output has in memory; null for none. `room` is the number of bytes before the next output. */
+const readOutput = (memory, { kind: stated, start, end, isArray, parameter }, room) => {
+  const rest = memory.subarray(start, end ?? memory.length), isList = isArray && stated !== UNTYPED;
+  const kind = stated === UNTYPED ? [DATA32, DATA16, DATA8].find(({ size }) => size <= room) : stated;
+  if (kind === STRING) {
+    const [text] = textOf(rest).split("\0");
+    return { value: text, kind, length: text.length };
+  }
+  const length = isList ? Math.floor(rest.length / kind.size) * kind.size : kind.size;
+  if (length < 1 || start + length > memory.length) return null;
+  const numbers = Array.from({ length: length / kind.size }, (_, index) => numberAt(memory, kind, start + index * kind.size));
+  const names = stated === UNTYPED || kind === DATAF ? undefined : TABLES.enumerations[parameter.enum];
+  const symbols = names ? numbers.map((each) => nameOf(names, each)) : [null];
+  return isList ? { value: numbers, kind, length, symbol: names ? symbols : null } : { value: numbers[0], kind, length, symbol: symbols[0] };
+};
+
 const replyValues = ({ operations }, memory, set) => operations.flatMap((operation) => {
-  const outputs = outputsOf(operation, set), all = memory.length;
-  return outputs.flatMap(({ argument, kind: stated, start, end, isArray, parameter }) => {
-    const names = TABLES.enumerations[parameter.enum], stop = end === null ? all : Math.min(end, all);
-    let kind = stated, value, length, symbol = null;
-    if (kind === LABEL || start >= all) return [];
-    if (kind === STRING) {
-      const piece = memory.subarray(start, Math.max(start, stop)), zero = piece.indexOf(0);
-      length = zero < 0 ? piece.length : zero;
-      value = textOf(piece.subarray(0, length));
-    } else if (isArray && kind !== UNTYPED) {
-      length = Math.floor((stop - start) / kind.size) * kind.size;
-      if (length < 1) return [];
-      value = Array.from({ length: length / kind.size }, (_, index) => numberAt(memory, kind, start + index * kind.size));
-      if (names) symbol = value.map((each) => nameOf(names, each));
-    } else {
-      const room = Math.min(all, ...outputs.map((each) => each.start).filter((each) => each > start)) - start;
-      if (kind === UNTYPED) kind = [DATA32, DATA16, DATA8].find(({ size }) => size <= room);
-      length = kind.size;
-      if (start + length > all) return [];
-      value = numberAt(memory, kind, start);
-      if (names && stated !== UNTYPED && kind !== DATAF) symbol = nameOf(names, value);
-    }
+  const outputs = outputsOf(operation, set);
+  return outputs.filter(({ kind, start }) => kind !== LABEL && start < memory.length).flatMap((output) => {
+    const { argument, start, parameter } = output, next = outputs.map((each) => each.start).filter((each) => each > start);
+    const read = readOutput(memory, output, Math.min(memory.length, ...next) - start);
+    if (!read) return [];
+    const { value, kind, length, symbol = null } = read, { quantity, unit = quantity ? undefined : parameter.unit } = argument;
     const found = { op: operation.op, command: operation.command, name: argument.name, value: plain(value), type: kind.name, offset: 5 + start, length };
-    const { quantity, unit = quantity ? undefined : parameter.unit } = argument;
-    if (unit) found.unit = unit;
-    if (quantity) found.quantity = quantity;
-    return [symbol === null ? found : { ...found, symbol }];
+    return [{ ...found, ...(unit && { unit }), ...(quantity && { quantity }), ...(symbol !== null && { symbol }) }];
   });
 });
 
 // Frames
 
 const MOST = TABLES.frame.most_bytes;
-const cut = (data, what) => new Fault(data.length, `the frame ends before ${what}`, true);
 const unknown = (number, what = "system command") => new Fault(5, `unknown ${what} ${shown(number)}`);
 
 /** What is in a message, by its kind: its keys, the fault, and the offset from which on nothing was read. */
@@ -342,16 +319,13 @@ const BODIES = {
     return { ...found, fields: plainFields(fields), ...(payload ? readings(payload) : {}), at, fault };
   },
   "system-reply": (data, { isError }) => {
-    if (data.length < 7) {
-      const fault = cut(data, "the command answered and the status");
-      return { command: null, number: 0, status: isError ? "error" : "ok", status_code: 0, fields: {}, values: [], at: 5, fault };
-    }
+    const none = { command: null, number: 0, status: isError ? "error" : "ok", status_code: 0, fields: {}, values: [] };
+    if (data.length < 7) return { ...none, at: 5, fault: cut(data, "the command answered and the status") };
     const [number, code] = data.subarray(5), entry = system.get(number), status = statuses.get(code);
-    const found = { command: entry?.name ?? null, number, status: isError || !status || status.is_failure ? "error" : "ok" };
+    const found = { ...none, command: entry?.name ?? null, number, status: isError || !status || status.is_failure ? "error" : "ok", status_code: code };
     if (status) found.status_name = status.name;
-    found.status_code = code;
     if (entry?.statuses?.[code]) found.status_meaning = entry.statuses[code];
-    if (!entry) return { ...found, fields: {}, values: [], at: 7, fault: unknown(number) };
+    if (!entry) return { ...found, at: 7, fault: unknown(number) };
     const { fields, places, at, fault } = readFields(entry.reply, data, 7, isError || code !== 0);
     const values = entry.reply.filter(({ name }) => name in fields).map(({ name, kind }) => (
       { op: entry.name, command: null, name, value: plain(fields[name]), type: kind, ...places[name] }
@@ -376,10 +350,9 @@ const BODIES = {
 };
 
 /** Whether a frame may have a length: some system commands may be longer than all others. */
-const isPossible = (data, length, type) => {
-  const mayBeLong = type?.kind === "system-command" && (data.length < 6 || system.get(data[5])?.is_long);
-  return length >= 3 && (length + 2 <= MOST || mayBeLong);
-};
+const isPossible = (data, length, { kind } = {}) => (
+  length >= 3 && (length + 2 <= MOST || (kind === "system-command" && (data.length < 6 || system.get(data[5])?.is_long)))
+);
 const impossible = (length) => `the length field says ${length}; it can be 3 to ${MOST - 2}`;
 
 /** Returns what is wrong with a frame outside its body. */
@@ -398,10 +371,8 @@ export const decode = (frame, { request = null, dialect = "official" } = {}) => 
   if (!TABLES.dialects.includes(dialect)) throw new RangeError(`unknown dialect ${dialect}; it can be ${TABLES.dialects.join(", ")}`);
   if (request instanceof Uint8Array) return decode(frame, { request: decode(request, { dialect }), dialect });
   const size = frame.length, hex = hexOf(frame);
-  if (size < 5) {
-    const fault = { offset: size, reason: `a frame has at least 5 bytes (length, counter, type), this one has ${size}` };
-    return { kind: "unknown", fault, ...(size ? { rest: hex } : {}), hex };
-  }
+  const tooShort = { offset: size, reason: `a frame has at least 5 bytes (length, counter, type), this one has ${size}` };
+  if (size < 5) return { kind: "unknown", fault: tooShort, ...(size && { rest: hex }), hex };
   const length = unsigned(frame, 0, 2), counter = unsigned(frame, 2, 2), type = types.get(frame[4]), isWrong = length + 2 !== size;
   const outer = envelopeFault(frame, length, type);
   if (!type) return { kind: "unknown", ...(isWrong ? { length } : {}), fault: { offset: outer.offset, reason: outer.reason }, rest: hex, hex };
@@ -422,7 +393,7 @@ export const decode = (frame, { request = null, dialect = "official" } = {}) => 
 
 /** Returns the declared parameter of each argument of an operation. */
 export const parametersOf = (operation, dialect = "official") => {
-  const entry = instructions(dialect).byName.get(nameOfOperation(operation)), { args } = operation;
+  const entry = entryOf(operation, instructions(dialect)), { args } = operation;
   return args.map((_, index) => parameterOf(entry, args, index)).map(({ kind, ...parameter }) => ({ ...parameter, type: kind.name }));
 };
 

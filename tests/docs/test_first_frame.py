@@ -49,10 +49,12 @@ def with_a_wrong_length(frame: bytes) -> bytes:
     cut = frame[: RANDOM.randrange(5, len(frame) + 1)]
     return RANDOM.choice([length.to_bytes(2, "little") + frame[2:], cut])
 
+
 def test_drawn_frames_are_shown_as_python_shows_them(tmp_path: Path) -> None:
+    strategies, count = (frames(), mutated_frames()), effort(150, 5000)
     # A shorter text is not taken for a frame.
-    given, other = ([one for one in drawn(kind(), effort(150, 5000)) if len(one) > 4] for kind in (frames, mutated_frames))
-    given += [*other, *map(with_a_wrong_length, given[: effort(40, 2000)])]
+    given = [one for strategy in strategies for one in drawn(strategy, count) if len(one) > 4]
+    given += map(with_a_wrong_length, given[: effort(40, 2000)])
     shown = 0
     for frame, answer in zip(given, first_answers(tmp_path, [frame.hex() for frame in given]), strict=True):
         if answer is None or not answer["lines"]:

@@ -103,8 +103,8 @@ class Parser:
 
     def _is_at_end(self) -> bool:
         """Returns whether no statement follows. In frames, marks between statements are skipped."""
-        while self.notation.has_messages and self._peek().is_mark(",", ";"):
-            self._next()
+        while self.notation.has_messages and self._skips(",", ";"):
+            pass
         return self._peek().kind == END
 
     def _skip_line(self) -> None:
@@ -114,8 +114,7 @@ class Parser:
     def _statement(self) -> Iterator[Statement]:
         """Parses one statement, or several heads."""
         token, following, by_line = self._peek(), self._peek(1), self.notation.by_line
-        if token.is_mark("}"):
-            self._next()
+        if self._skips("}"):
             yield Closing(token.at)
             self._omit_rest("}")
         elif token.kind != NAME:
@@ -181,14 +180,14 @@ class Parser:
 
     def _header(self) -> MessageHeader:
         at = self._next().at
-        kind = self._name_of(self._next()) if self._is_name_here() and self._peek().text.isupper() else None
+        kind = self._taken_name() if self._is_name_here() and self._peek().text.isupper() else None
         facts: list[tuple[Name, Number | Name]] = []
         while not self._peek().is_first:
             name = self._expect_name("counter, globals, locals or length")
             value = self._peek()
             if value.is_first or value.kind not in (NUMBER, NAME):
                 raise self._line_end(f"the value of {name.text}")
-            facts.append((name, self._number() if value.kind == NUMBER else self._name_of(self._next())))
+            facts.append((name, self._number() if value.kind == NUMBER else self._taken_name()))
         return MessageHeader(at, kind, tuple(facts))
 
     def _define(self) -> Define:
@@ -216,8 +215,7 @@ class Parser:
                     return
         if not notation.by_line:
             self._expect("{", f"{{ after {opening.word} {cited(opening.name)}")
-        elif self._peek().is_mark("{"):
-            self._next()
+        elif self._skips("{"):
             self._skip_line()
 
     def _declaration(self) -> VariableDeclaration:
@@ -251,8 +249,7 @@ class Parser:
         self._expect("(")
         arguments: list[WrittenArgument] = []
         while not self._peek().is_mark(")", CUT):
-            if self._peek().is_mark(","):
-                self._next()
+            if self._skips(","):
                 continue
             if self._peek().is_mark("{", "}", ":") or (self._peek().kind == END and not notation.has_messages):
                 raise SourceError(self._peek().at, f"the ) of {cited(token.text)} is missing")
@@ -261,9 +258,8 @@ class Parser:
                 if self._ends_without_mark():
                     return Call(token.at, token.text, tuple(arguments), self._peek().at)
                 raise self._unexpected(", or )")
-            if self._peek().is_mark(","):
-                self._next()
-        is_complete = self._is_complete()
+            self._skips(",")
+        is_complete = not self._skips(CUT)
         return Call(token.at, token.text, tuple(arguments), self._expect(")").at, is_complete)
 
     def _ends_without_mark(self) -> bool:
@@ -275,12 +271,11 @@ class Parser:
         """Parses `opNAME, value, value`, which continues on the next line after a comma."""
         token = self._next()
         arguments: list[WrittenArgument] = []
-        while self._peek().is_mark(","):
-            self._next()
+        while self._skips(","):
             if self._peek().is_mark(CUT) or self._starts_statement():
                 break
             arguments.append(self._argument(arguments))
-        is_complete = self._is_complete()
+        is_complete = not self._skips(CUT)
         end = self._peek()
         if not end.is_first and not end.is_mark(";", "}") and not self._starts_statement():
             raise self._unexpected("a comma" if is_complete else "the end of the line")
@@ -293,12 +288,6 @@ class Parser:
         if not following.is_first and not following.is_mark(",", ";", "}"):
             raise self._unexpected(f"(, as in {token.text}(...)")
         return Call(token.at, token.text, (), following.at)
-
-    def _is_complete(self) -> bool:
-        if not self._peek().is_mark(CUT):
-            return True
-        self._next()
-        return False
 
     def _starts_statement(self) -> bool:
         """Returns whether a statement starts here, after the comma of a macro operation."""
@@ -387,10 +376,10 @@ class Parser:
             return self._number(-1 if token.text == "-" else 1, token.at)
         if token.is_mark("@", "&") and self._peek(1).kind == NAME and self._peek(1).at == token.end:
             self._next()
-            return Marked(token.at, token.text, self._name_of(self._next()))
+            return Marked(token.at, token.text, self._taken_name())
         if token.kind != NAME:
             return self._plain()
-        name = self._name_of(self._next())
+        name = self._taken_name()
         if self._is_glued("+") and self._peek(1).kind == NUMBER:
             self._next()
             number = self._number()
@@ -424,7 +413,7 @@ class Parser:
         if len(before) >= MAX_PARTS:
             raise SourceError(self._peek().at, f"more than {MAX_PARTS} values")
         if self._peek().kind == NAME and self._peek(1).is_mark("="):
-            name = self._name_of(self._next())
+            name = self._taken_name()
             self._next()
             return WrittenArgument(name, self._value())
         value = self._value()
@@ -509,7 +498,7 @@ class Parser:
         if token.kind == NUMBER:
             return self._number()
         if token.kind == NAME:
-            return self._name_of(self._next())
+            return self._taken_name()
         if token.kind != TEXT:
             raise self._unexpected("a value")
         text = text_of(token, self.notation, self._coding, self.warnings)
@@ -522,7 +511,7 @@ class Parser:
         """Parses a value that starts with a name."""
         token, following = self._peek(), self._peek(1)
         if following.is_mark("["):
-            return self._element(self._name_of(self._next()))
+            return self._element(self._taken_name())
         if following.is_mark("(") and token.text == BYTES:
             self._next()
             return self._raw(token)
@@ -538,7 +527,7 @@ class Parser:
             raise SourceError(token.at, f"unknown macro {cited(token.text)}: there are {known} and {BYTES}(01 FF)")
         if token.text == "LCS" and following.is_mark(","):
             return self._spelled_text()
-        return self._name_of(self._next())
+        return self._taken_name()
 
     def _element(self, name: Name) -> Element:
         self._expect("[")
@@ -635,8 +624,7 @@ class Parser:
             found = self._peek()
             if until_mark and found.is_mark(")"):
                 break
-            if found.is_mark(":", "|"):
-                self._next()
+            if self._skips(":", "|"):
                 continue
             if found.kind not in (NUMBER, NAME, WORD) or not _HEX.fullmatch(found.text):
                 raise self._unexpected("bytes in hex, two digits each")
@@ -660,8 +648,15 @@ class Parser:
         self._last = token
         return token
 
-    @staticmethod
-    def _name_of(token: Lexeme) -> Name:
+    def _skips(self, *marks: str) -> bool:
+        """Skips a mark if it is one of these, and returns whether it is."""
+        is_there = self._peek().is_mark(*marks)
+        if is_there:
+            self._next()
+        return is_there
+
+    def _taken_name(self) -> Name:
+        token = self._next()
         return Name(token.at, token.text)
 
     def _is_name_here(self, *, is_same_line: bool = True) -> bool:
@@ -671,7 +666,7 @@ class Parser:
     def _expect_name(self, what: str, *, is_same_line: bool = True) -> Name:
         if not self._is_name_here(is_same_line=is_same_line):
             raise self._line_end(what) if is_same_line else self._unexpected(what)
-        return self._name_of(self._next())
+        return self._taken_name()
 
     def _expect(self, mark: str, what: str | None = None) -> Lexeme:
         if not self._peek().is_mark(mark):

@@ -6,6 +6,7 @@ Sizes and handles of the client never reach the brick: it may ask for any number
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from typing import TypeAlias, TypeVar
 
 from ev3proto.link.transfers import OpenTransfers, next_of
 from ev3proto.link.whitelist import is_own
@@ -18,6 +19,10 @@ from ev3proto.system import begin_upload, continue_list_files, continue_upload, 
 from ev3proto.tables.encoding import STRING_CODING
 from ev3proto.tables.frame import MAX_FRAME, MessageType
 from ev3proto.tables.system import SystemStatus
+
+T = TypeVar("T")
+Reading: TypeAlias = Generator[bytes, bytes | None, T]
+"""Yields frames to send, and takes the reply to each; None if none came."""
 
 FIRST_HANDLE, _HANDLES = 64, 128
 
@@ -42,7 +47,7 @@ class Reader:
         """Whether something is open on the brick."""
         return bool(self._transfers)
 
-    def serve(self, command: SystemCommand) -> Generator[bytes, bytes | None, bytes]:
+    def serve(self, command: SystemCommand) -> Reading[bytes]:
         """Returns the reply to a command that begins a transfer, or continues or closes one of `handles`."""
         name, path = str(command.command), command.fields.get("path")
         if path is not None:
@@ -68,7 +73,7 @@ class Reader:
             status = SystemStatus.END_OF_FILE if is_whole else SystemStatus.UNKNOWN_ERROR
         return _answer(command, status, handle, self._size, piece)
 
-    def _begin(self, name: str, path: str) -> Generator[bytes, bytes | None, SystemStatus | None]:
+    def _begin(self, name: str, path: str) -> Reading[SystemStatus | None]:
         """Opens a file or folder. Returns what the brick has against it."""
         if name not in LISTINGS:
             # The firmware opens a folder as a file, too, so the folder above has to list it.
@@ -81,7 +86,7 @@ class Reader:
             self._next = (self._next + 1) % _HANDLES
         return status
 
-    def _find(self, folder: str, file: str) -> Generator[bytes, bytes | None, SystemStatus | None]:
+    def _find(self, folder: str, file: str) -> Reading[SystemStatus | None]:
         """Looks for a file in the listing of its folder."""
         if not is_own(folder.encode(STRING_CODING)):
             return SystemStatus.ILLEGAL_PATH
@@ -96,29 +101,27 @@ class Reader:
             return SystemStatus.ILLEGAL_FILENAME if file in listing.folders else SystemStatus.UNKNOWN_HANDLE
         return status
 
-    def _open(
-        self, begin: Callable[[str], SystemCommand], path: str
-    ) -> Generator[bytes, bytes | None, SystemStatus | None]:
+    def _open(self, begin: Callable[[str], SystemCommand], path: str) -> Reading[SystemStatus | None]:
         reply = yield from self._exchange(begin(path))
         if reply is None or reply.is_error:
             return SystemStatus.UNKNOWN_ERROR if reply is None else reply.status or SystemStatus.UNKNOWN_ERROR
         self._size, self._sent = size_of(reply) or 0, 0
         return None
 
-    def read_on(self) -> Generator[bytes, bytes | None, None]:
+    def read_on(self) -> Reading[None]:
         """Reads one more piece, and keeps it until it is asked for. Ends a file that gives none, or too much."""
         had = len(self._rest)
         yield from self._exchange_next()
         if not had < len(self._rest) <= MOST_KEPT:
             yield from self._end()
 
-    def leave(self) -> Generator[bytes, bytes | None, None]:
+    def leave(self) -> Reading[None]:
         """Ends what is open on the brick, and forgets what was read of it."""
         yield from self._end()
         self.handles.clear()
         self._rest = b""
 
-    def _end(self) -> Generator[bytes, bytes | None, None]:
+    def _end(self) -> Reading[None]:
         ending, reply, rest = self._transfers.ending(), None, self._rest
         while (command := next_of(ending, reply)) is not None:
             reply = yield from self._exchange(command)
@@ -128,11 +131,11 @@ class Reader:
         """Forgets what is open: the connection is a new one."""
         self._transfers.clear()
 
-    def _exchange_next(self) -> Generator[bytes, bytes | None, None]:
+    def _exchange_next(self) -> Reading[None]:
         ((handle, name),) = self._transfers.items()
         yield from self._exchange((continue_list_files if name in LISTINGS else continue_upload)(handle))
 
-    def _exchange(self, command: SystemCommand) -> Generator[bytes, bytes | None, SystemReply | None]:
+    def _exchange(self, command: SystemCommand) -> Reading[SystemReply | None]:
         data = yield command.build()
         reply = None if data is None else parse(data, strict=False)
         self._transfers.learn(command, reply)

@@ -38,8 +38,8 @@ from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy, system
 from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, MessageType
 
-Body = tuple[Message | None, bytes, DecodeError | None]
-"""A message (None if its fixed part is cut), the unreadable bytes at its end, and the reason."""
+Body = tuple[Message, bytes, DecodeError | None]
+"""A message, the unreadable bytes at its end, and the reason."""
 
 BodyReader = Callable[[bytes, int, MessageType], Body]
 
@@ -50,13 +50,14 @@ class FrameReader:
     def __init__(self, dialect: str) -> None:
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
-        bodies: dict[str, tuple[type[Message], BodyReader]] = {
-            "direct-command": (DirectCommand, self._direct_command),
-            "direct-reply": (DirectReply, self._direct_reply),
-            "system-command": (SystemCommand, self._system_command),
-            "system-reply": (SystemReply, self._system_reply),
-            "daisy-command": (DaisyCommand, self._daisy_command),
-            "daisy-reply": (DaisyReply, self._daisy_reply),
+        # The class of each kind of message, the reader of its body, and the fixed part that this begins with.
+        bodies: dict[str, tuple[type[Message], BodyReader, int, str]] = {
+            "direct-command": (DirectCommand, self._direct_command, 2, "the two bytes that request memory"),
+            "direct-reply": (DirectReply, self._direct_reply, 0, ""),
+            "system-command": (SystemCommand, self._system_command, 1, "the system command"),
+            "system-reply": (SystemReply, self._system_reply, 2, "the command answered and the status"),
+            "daisy-command": (DaisyCommand, self._daisy_command, 3, "the sub-command and the two layers"),
+            "daisy-reply": (DaisyReply, self._daisy_reply, 2, "the two layers"),
         }
         self._types = {number: (member, *bodies[member.kind]) for number, member in MESSAGE_TYPES.items()}
 
@@ -102,23 +103,25 @@ class FrameReader:
                 envelope = DecodeError(0, f"the frame has {size} bytes; the maximum is {MAX_FRAME}")
             if known is None:
                 return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
-        member, kind, read_body = known
-        message, rest, error = read_body(contents, counter, member)
-        if message is not None and error is None and envelope is None:
+        member, kind, read_body, fixed, what = known
+        is_headless = len(contents) < HEADER_SIZE + fixed
+        if is_headless:
+            cut = DecodeError(len(contents), f"the frame ends before {what}", truncated=True)
+            body: Body = kind(type=member, counter=counter), contents[HEADER_SIZE:], cut
+        else:
+            body = read_body(contents, counter, member)
+        message, rest, error = body
+        if error is None and envelope is None:
             return message
         if strict:
             assert error is not None
             raise error
-        flaw = Flaw(_worse(envelope, error), rest + frame[len(contents) :], stated, headless=message is None)
-        return replace(kind(type=member, counter=counter) if message is None else message, flaw=flaw)
+        flaw = Flaw(_worse(envelope, error), rest + frame[len(contents) :], stated, headless=is_headless)
+        return replace(message, flaw=flaw)
 
     def _direct_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
-        end = len(frame)
         start = COMMAND_HEADER_SIZE
-        if end < start:
-            error = DecodeError(end, "the frame ends before the two bytes that request memory", truncated=True)
-            return None, frame[HEADER_SIZE:], error
-        operations, fault = self.instructions.scan(frame, start, end)
+        operations, fault = self.instructions.scan(frame, start, len(frame))
         global_size, local_size = read_memory(frame)
         message = DirectCommand(
             type=member,
@@ -135,11 +138,7 @@ class FrameReader:
         return DirectReply(type=member, counter=counter, memory=frame[HEADER_SIZE:]), b"", None
 
     def _system_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
-        end = len(frame)
         at = HEADER_SIZE
-        if end <= at:
-            error = DecodeError(end, "the frame ends before the system command", truncated=True)
-            return None, b"", error
         number = frame[at]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
@@ -150,11 +149,7 @@ class FrameReader:
         return message, frame[at:], fault
 
     def _system_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
-        end = len(frame)
         at = HEADER_SIZE
-        if end < at + 2:
-            error = DecodeError(end, "the frame ends before the command answered and the status", truncated=True)
-            return None, frame[at:], error
         number, status = frame[at], frame[at + 1]
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
@@ -173,11 +168,7 @@ class FrameReader:
         return reply, frame[at:], fault
 
     def _daisy_command(self, frame: bytes, counter: int, member: MessageType) -> Body:
-        end = len(frame)
         at = HEADER_SIZE
-        if end < at + 3:
-            error = DecodeError(end, "the frame ends before the sub-command and the two layers", truncated=True)
-            return None, frame[at:], error
         number, layer_from, layer_to = frame[at : at + 3]
         name: str | None = None
         operations: tuple[Operation, ...] = ()
@@ -188,7 +179,9 @@ class FrameReader:
             fault = DecodeError(at, f"unknown daisy sub-command 0x{number:02X}")
         else:
             name = command.name
-            found, wrong = self.instructions.scan(frame, at + 3, end) if command.carries_operations else ([], None)
+            found, wrong = (
+                self.instructions.scan(frame, at + 3, len(frame)) if command.carries_operations else ([], None)
+            )
             operations = tuple(found) if wrong is None else ()
         message = DaisyCommand(
             type=member,
@@ -197,18 +190,14 @@ class FrameReader:
             command=name,
             layer_from=layer_from,
             layer_to=layer_to,
-            payload=frame[at + 3 : end],
+            payload=frame[at + 3 :],
             operations=operations,
         )
         return message, b"", fault
 
     def _daisy_reply(self, frame: bytes, counter: int, member: MessageType) -> Body:
-        end = len(frame)
         at = HEADER_SIZE
-        if end < at + 2:
-            error = DecodeError(end, "the frame ends before the two layers", truncated=True)
-            return None, frame[at:], error
-        payload = frame[at + 2 : end]
+        payload = frame[at + 2 :]
         try:
             found = SENSOR_REPORT.parse(payload)
             report = SensorReport(**{field.name: found[field.name] for field in SENSOR_REPORT.subcons})

@@ -49,6 +49,10 @@ _UNKNOWN = Message().kind
 _SPEAKERS = ("command", "reply")
 
 
+Object = Mapping[str, Any]
+"""An object of JSON."""
+
+
 class RecordError(ValueError):
     """An object that does not describe a frame; the sentence names the faulty key and what would be right."""
 
@@ -107,7 +111,7 @@ def frames_of_json(entry: Any, *, dialect: str = "official") -> Iterator[bytes]:
             yield frame_of(one, dialect=dialect)
 
 
-def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
+def frame_of(entry: Object, *, dialect: str = "official") -> bytes:
     """Makes the frame of one message's object. Raises RecordError."""
     if "hex" in entry:
         frame = _bytes(entry, "hex")
@@ -121,7 +125,7 @@ def frame_of(entry: Mapping[str, Any], *, dialect: str = "official") -> bytes:
         raise RecordError(str(error)) from None
 
 
-def _is_told(entry: Mapping[str, Any], frame: bytes, dialect: str) -> bool:
+def _is_told(entry: Object, frame: bytes, dialect: str) -> bool:
     """Tells whether the object's keys are those of its frame in `hex`."""
     message = parse(frame, strict=False, dialect=dialect)
     written = record(Exchange(message, None, [], None), Seen())
@@ -131,7 +135,7 @@ def _is_told(entry: Mapping[str, Any], frame: bytes, dialect: str) -> bool:
 # A frame from its keys
 
 
-def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
+def _made(entry: Object, dialect: str) -> bytes:
     try:
         kind = MessageType[_text(entry, "type")]
     except KeyError:
@@ -148,7 +152,7 @@ def _made(entry: Mapping[str, Any], dialect: str) -> bytes:
     return frame
 
 
-def _direct_command(entry: Mapping[str, Any], dialect: str) -> Message:
+def _direct_command(entry: Object, dialect: str) -> Message:
     return DirectCommand(
         global_size=_whole(entry, "globals", MAX_GLOBALS, 0),
         local_size=_whole(entry, "locals", MAX_LOCALS, 0),
@@ -156,37 +160,37 @@ def _direct_command(entry: Mapping[str, Any], dialect: str) -> Message:
     )
 
 
-def _direct_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+def _direct_reply(entry: Object, _dialect: str) -> Message:
     return DirectReply(memory=_bytes(entry, "memory"))
 
 
-def _system_command(entry: Mapping[str, Any], _dialect: str) -> Message:
+def _system_command(entry: Object, _dialect: str) -> Message:
     number = _number(entry)
     return SystemCommand(number=number, fields=_fields(entry, REQUESTS.get(number)))
 
 
-def _system_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+def _system_reply(entry: Object, _dialect: str) -> Message:
     number = _number(entry)
     status = _whole(entry, "status_code", 0xFF, SystemStatus.SUCCESS)
     return SystemReply(number=number, status_code=status, fields=_fields(entry, REPLIES.get(number)))
 
 
-def _daisy_command(entry: Mapping[str, Any], dialect: str) -> Message:
+def _daisy_command(entry: Object, dialect: str) -> Message:
     sent, code = _sent_on(entry), b"".join(one.raw for one in _operations(entry, dialect))
     return DaisyCommand(number=_whole(entry, "number", 0xFF), **sent | ({"payload": code} if code else {}))
 
 
-def _daisy_reply(entry: Mapping[str, Any], _dialect: str) -> Message:
+def _daisy_reply(entry: Object, _dialect: str) -> Message:
     return DaisyReply(**_sent_on(entry))
 
 
-def _sent_on(entry: Mapping[str, Any]) -> dict[str, Any]:
+def _sent_on(entry: Object) -> dict[str, Any]:
     fields = _object(entry, "fields")
     layers = {name: _whole(fields, name, 0xFF, 0) for name in ("layer_from", "layer_to")}
     return {**layers, "payload": _bytes(fields, "payload")}
 
 
-_MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
+_MAKERS: dict[str, Callable[[Object, str], Message]] = {
     "direct-command": _direct_command,
     "direct-reply": _direct_reply,
     "system-command": _system_command,
@@ -196,7 +200,7 @@ _MAKERS: dict[str, Callable[[Mapping[str, Any], str], Message]] = {
 }
 
 
-def _number(entry: Mapping[str, Any]) -> int:
+def _number(entry: Object) -> int:
     """Returns the number of a system command: as given, or by its name."""
     if "number" in entry:
         return _whole(entry, "number", 0xFF)
@@ -207,7 +211,7 @@ def _number(entry: Mapping[str, Any]) -> int:
     raise RecordError(f"unknown system command {name}{near_misses(name, [known.name for known in SYSTEM])}")
 
 
-def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
+def _fields(entry: Object, schema: Fields | None) -> dict[str, Any]:
     given = _object(entry, "fields")
     if schema is None:
         if given:
@@ -225,7 +229,7 @@ def _fields(entry: Mapping[str, Any], schema: Fields | None) -> dict[str, Any]:
     return completed
 
 
-def _field(field: SystemField | None, name: str, given: Mapping[str, Any]) -> Any:
+def _field(field: SystemField | None, name: str, given: Object) -> Any:
     if field is None or (field.kind not in NUMBERS and field.kind is not FieldKind.DATA):
         return given[name]
     return _bytes(given, name) if field.kind is FieldKind.DATA else _whole(given, name, 0xFFFFFFFF)
@@ -234,7 +238,7 @@ def _field(field: SystemField | None, name: str, given: Mapping[str, Any]) -> An
 # Operations
 
 
-def _operations(entry: Mapping[str, Any], dialect: str) -> list[Operation]:
+def _operations(entry: Object, dialect: str) -> list[Operation]:
     operations = entry.get("operations", [])
     if not isinstance(operations, list):
         raise RecordError(f"operations takes a list, not {_shown(operations)}")
@@ -249,7 +253,7 @@ def _operations(entry: Mapping[str, Any], dialect: str) -> list[Operation]:
     return found
 
 
-def _operation(entry: Mapping[str, Any], dialect: str) -> Operation:
+def _operation(entry: Object, dialect: str) -> Operation:
     name = _text(entry, "op")
     if entry.get("command") is not None:
         name += f".{_text(entry, 'command')}"
@@ -268,7 +272,7 @@ def _operation(entry: Mapping[str, Any], dialect: str) -> Operation:
     return Operation((schema, raw, 0, len(raw)))
 
 
-def _head(schema: OperationSchema, entry: Mapping[str, Any]) -> bytes:
+def _head(schema: OperationSchema, entry: Object) -> bytes:
     """Returns opcode and CMD, which may be encoded longer than necessary."""
     command = schema.declaration.command
     if command is None or "command_encoding" not in entry:
@@ -285,7 +289,7 @@ def _written(schema: OperationSchema, arguments: Sequence[Any]) -> Iterator[byte
         yield _argument(given, one)
 
 
-def _argument(argument: Mapping[str, Any], schema: ArgumentSchema) -> bytes:
+def _argument(argument: Object, schema: ArgumentSchema) -> bytes:
     value = argument["value"]
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise RecordError(f"{schema.parameter.name} cannot be {_shown(value)}: it is a number or a text")
@@ -320,28 +324,28 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 40 else f"{text[:40]}..."
 
 
-def _text(entry: Mapping[str, Any], key: str, default: str | None = None) -> str:
+def _text(entry: Object, key: str, default: str | None = None) -> str:
     value = entry.get(key, default)
     if not isinstance(value, str):
         raise RecordError(f"{key} takes a text, not {_shown(value)}")
     return value
 
 
-def _object(entry: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+def _object(entry: Object, key: str) -> Object:
     value = entry.get(key, {})
     if not isinstance(value, dict):
         raise RecordError(f"{key} takes an object, not {_shown(value)}")
     return value
 
 
-def _bytes(entry: Mapping[str, Any], key: str) -> bytes:
+def _bytes(entry: Object, key: str) -> bytes:
     try:
         return bytes.fromhex(_text(entry, key, ""))
     except ValueError:
         raise RecordError(f"{key} takes bytes in hex, not {_shown(entry.get(key))}") from None
 
 
-def _whole(entry: Mapping[str, Any], key: str, most: int, default: int | None = None) -> int:
+def _whole(entry: Object, key: str, most: int, default: int | None = None) -> int:
     value = entry.get(key, default)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
         raise RecordError(f"{key} cannot be {_shown(value)}: it is a whole number from 0 to {most}")

@@ -222,7 +222,7 @@ def _partial(element: TextElement) -> tuple[bytes, int, str]:
 
 def spelt(runs: Iterable[Run]) -> str | None:
     """Returns what elements are that are the characters of a frame's digits; None for any other."""
-    parts = ((run, part) for run in runs for base in run.bases[:2] for part in run.parts(base))
+    parts = ((run, part) for run in runs for part in run.likely_parts())
     between = (part.data[start:end] for run, part in parts for start, end in run.between_breaks(part))
     return next((said for data in between if (said := strange_bytes(data, Kind.DIGITS))), None)
 
@@ -230,7 +230,7 @@ def spelt(runs: Iterable[Run]) -> str | None:
 def told(row: Row) -> str | None:
     """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
     run = row.runs[-1]
-    part = next((part for base in run.bases[:2] for part in run.parts(base)), None)
+    part = next(run.likely_parts(), None)
     is_all = part is not None and part.last - part.first == len(run.elements) and not row.after.strip(AROUND)
     if part is None or not is_all or not _is_data(row, run, part.data):
         return None
@@ -265,7 +265,7 @@ def _is_data(row: Row, run: Run, data: bytes) -> bool:
 def bytes_in(line: str) -> bytes:
     """Returns the bytes of the elements in a line, in their likeliest base, whether they are a frame or not."""
     runs = Row(clean(line), 0).of_line()
-    return max((part.data for run in runs for base in run.bases[:2] for part in run.parts(base)), key=len, default=b"")
+    return max((part.data for run in runs for part in run.likely_parts()), key=len, default=b"")
 
 
 _NO_DIGIT = re.compile(r"(?!^0[xX])(?<!^0)[^0-9a-fA-F]")

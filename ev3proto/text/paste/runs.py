@@ -136,6 +136,10 @@ class Run:
             if data:
                 yield Part(before + 1, data, [0, *accumulate(map(len, values))])  # type: ignore[arg-type]
 
+    def likely_parts(self) -> Iterator[Part]:
+        """Yields the parts in the two likeliest bases."""
+        return (part for base in self.bases[:2] for part in self.parts(base))
+
     def is_torn(self, part: Part) -> bool:
         """Returns whether elements before a part are written like those in it, but have no bytes."""
         return part.first > 0 and not has_place(self.breaks, part.first)

@@ -25,7 +25,9 @@ from ev3proto.text.spans import plain_text, visible
 from .about import about
 from .completing import completions
 from .explaining import explain
-from .reading import MOST_SENT, Input, Steps
+from .outgoing import MOST_SENT
+from .reading import Input
+from .steps import Steps
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:

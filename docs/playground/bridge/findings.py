@@ -77,7 +77,7 @@ class Findings:
         self.failed += message.type is not None and message.type.is_error
         self.faulty += message.fault is not None or bool(rest)
         if place and message.fault is not None:
-            self.say(f"{place}{message.fault.reason}", Severity.ERROR)
+            self.say(f"{place}: {message.fault.reason}", Severity.ERROR)
 
     def say(self, sentence: str, severity: Severity) -> None:
         """Takes a sentence about the input that no check makes."""

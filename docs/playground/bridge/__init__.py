@@ -164,29 +164,18 @@ def _read(expression: str, read: Callable[[Input], Steps]) -> Steps:
 _LONG: dict[str, Callable[..., Steps]] = {"look": _look, "open_file": _open_file, "timeline": lambda: _now.timeline()}
 
 
-def page(number: int) -> str:
-    """Returns the page that has a frame, by its number: see `Pages.page`."""
-    return json.dumps(_now.page(number))
-
-
-def made(form: str) -> str:
-    """Returns the frames in a notation: `c`, `python`."""
-    return json.dumps(_now.made(form))
-
-
-def remedies() -> str:
-    """Returns what can be done about the input: see `Input.proposals`."""
-    return json.dumps(_now.proposals())
-
-
 def complete(before: str) -> str:
     """Returns the completions at the cursor: see `completions`."""
     return json.dumps(completions(before))
 
 
-def to_send() -> str:
-    """Returns what the input has to send: see `Input.to_send`."""
-    return json.dumps(_now.to_send())
+def _asks(name: str) -> Callable[..., str]:
+    """Returns a function that asks the input."""
+    return lambda *given: json.dumps(getattr(_now, name)(*given))
+
+
+page, made, remedies, to_send = map(_asks, ("page", "made", "proposals", "to_send"))
+"""The page that has a frame, by its number; the frames in a notation; proposals; what there is to send."""
 
 
 def as_assembly(frame: str) -> str:

@@ -9,16 +9,14 @@ from typing import Any
 from ev3proto.capture import read
 from ev3proto.capture.dialogues import dialogues
 from ev3proto.capture.formats import CaptureFile
-from ev3proto.dialogue import Dialogue
 from ev3proto.link.harm import Harm
 from ev3proto.link.policy import Outcome
 from ev3proto.link.replay import Likeness, Replay, compare, plan, steps
-from ev3proto.schema.frame import parse
-from ev3proto.text.phrases import Seen, command_spans
-from ev3proto.text.spans import Spans, plain_text
-from ev3proto.text.tree import tree
+from ev3proto.text.phrases import command_spans
+from ev3proto.text.spans import plain_text
 from ev3proto.version import VERSION
 
+from .answers import reply_lines
 from .connection import Connection
 from .watching import DIALECT, Watch
 
@@ -114,14 +112,6 @@ class Comparison:
                 "differences": self._differences,
             }
         )
-
-
-def reply_lines(reply: bytes, command: bytes | None) -> list[Spans]:
-    """Returns the lines of a reply, which its command explains if it is known."""
-    dialogue = Dialogue()
-    if command is not None:
-        dialogue.follow(parse(command, strict=False))
-    return list(tree(dialogue.follow(parse(reply, strict=False)), Seen()))
 
 
 def _summary(reply: bytes, command: bytes) -> str:

@@ -72,14 +72,13 @@ _OPERATIONS = [
 
 def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
     """The hint and the names for the last argument of a call."""
-    matching = [each for each in _DECLARATIONS if each.opcode.name == opcode or each.name == opcode]
-    if not matching:
-        return "", []
-    if matching[0].command is not None and matching[0].name != opcode:
-        if len(given) == 1:
-            return "", [(each.command.name, f"{_signature(each)}  {each.text}") for each in matching if each.command]
-        chosen = given.pop(0).strip().upper()
-        matching = [each for each in matching if each.command and each.command.name == chosen]
+    matching = [each for each in _DECLARATIONS if each.name == opcode]
+    commands = [each for each in _DECLARATIONS if each.opcode.name == opcode and each.command]
+    if commands and len(given) == 1:
+        return "", [(each.command.name, f"{_signature(each)}  {each.text}") for each in commands if each.command]
+    if commands:
+        chosen = f"{opcode}.{given.pop(0).strip().upper()}"
+        matching = [each for each in commands if each.name == chosen]
     if not matching or len(given) > len(matching[0].parameters):
         return "", []
     parameter = matching[0].parameters[len(given) - 1]

@@ -30,7 +30,7 @@ MOST_LATE = 256
 _KEY = 0
 
 
-Done = Callable[[Outcome, float, str], None]
+Done = Callable[[Outcome, float, str], object]
 """Takes the outcome of a talk, the milliseconds of its last command, and the reason why that has no answer."""
 
 

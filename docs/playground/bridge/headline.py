@@ -174,13 +174,17 @@ def _of_frames(known: Headline) -> Verdict:
     if known.refused:
         refused = every if known.refused == known.commands else f"{known.refused:,} of {known.commands:,} commands"
         return REFUSES, Severity.ERROR, f"The brick refuses {refused}{where}."
-    for severity, count in ((Severity.ERROR, known.wrong), (Severity.WARNING, known.doubtful)):
-        if count:
-            some = f"{'it' if known.commands == 1 else f'{count:,} of them'} {'has' if count == 1 else 'have'}"
-            is_one = count == 1 and known.worst is not None and len(known.worst.of(severity)) == 1
-            what = _ONE[severity] if is_one else f"{severity}s"
-            return TAKES, severity, f"The brick takes {every}, but {some} {what}{where}."
-    return TAKES, "", f"The brick takes {every}."
+    if not (count := known.wrong or known.doubtful):
+        return TAKES, "", f"The brick takes {every}."
+    severity = Severity.ERROR if known.wrong else Severity.WARNING
+    return TAKES, severity, f"The brick takes {every}, but {_some(known, count, severity)}{where}."
+
+
+def _some(known: Headline, count: int, severity: Severity) -> str:
+    """Returns how many commands have findings of a severity: `2 of them have errors`."""
+    is_one = count == 1 and known.worst is not None and len(known.worst.of(severity)) == 1
+    what = _ONE[severity] if is_one else f"{severity}s"
+    return f"{'it' if known.commands == 1 else f'{count:,} of them'} {'has' if count == 1 else 'have'} {what}"
 
 
 def _replies(known: Headline) -> Iterator[str]:

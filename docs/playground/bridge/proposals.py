@@ -77,25 +77,38 @@ def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[P
     """
     if any(problem.code is ProblemCode.SOURCE for problem in problems):
         return list(_respelt(text, problems))
+    return list(_of_lines(text, wrong)) if wrong else []
+
+
+def _of_lines(text: str, wrong: Mapping[int, bytes | None]) -> Iterator[Proposal]:
     lines = text.split("\n")
-    if wrong and not text.strip().count("\n"):
-        wrong = {text[: len(text) - len(text.lstrip())].count("\n") + 1: next(iter(wrong.values()), None)}
+    if "\n" not in text.strip():
+        wrong = {text[: len(text) - len(text.lstrip())].count("\n") + 1: next(iter(wrong.values()))}
     fixed = fix_text(text)
     certain = {each.line: each.fix.frame for each in fixed.frames if each.is_written and each.line in fixed.lines}
-    found = []
     for number, frame in islice(sorted(wrong.items()), MOST_LINES):
-        edited = fixed.text.split("\n")[number - 1]
-        of_line: dict[bytes, tuple[str, str]] = {}
-        for kind, new, line in _of_line(lines[number - 1], frame):
-            of_line.setdefault(new, (kind, line))
-        if (made := certain.get(number)) is not None and (made in of_line or not of_line):
-            # In the notation of the line.
-            of_line[made] = of_line[made][0] if of_line else _kind_of(frame or b""), edited
-        for made, (kind, line) in of_line.items():
-            whole = "\n".join([*lines[: number - 1], line, *lines[number:]])
-            found.append(Proposal(kind, number, frame or _bytes_in(lines[number - 1]), made, whole))
+        line, edited = lines[number - 1], fixed.text.split("\n")[number - 1]
+        for made, (kind, new) in _candidates(line, frame, certain.get(number), edited).items():
+            whole = "\n".join([*lines[: number - 1], new, *lines[number:]])
+            yield Proposal(kind, number, frame or _bytes_in(line), made, whole)
     if len(fixed.lines) > 1:
-        found.append(Proposal("all", 0, "", "", fixed.text))
+        yield Proposal("all", 0, "", "", fixed.text)
+
+
+def _candidates(line: str, frame: bytes | None, made: bytes | None, edited: str) -> dict[bytes, tuple[str, str]]:
+    """Returns the frames that a line may mean, each with its kind of slip and the line that has it.
+
+    Args:
+        line: The line.
+        frame: What is in it, if that is a frame.
+        made: The certain fix, if there is one.
+        edited: The line with it, in its own notation.
+    """
+    found: dict[bytes, tuple[str, str]] = {}
+    for kind, new, mended in _of_line(line, frame):
+        found.setdefault(new, (kind, mended))
+    if made is not None and (made in found or not found):
+        found[made] = found[made][0] if found else _kind_of(frame or b""), edited
     return found
 
 
@@ -149,16 +162,13 @@ def _meant(text: str) -> Iterator[tuple[str, bytes]]:
     data = _bytes_of(text)
     if data is None:
         data = _bytes_of(text.translate(_LETTERS))
-        if data is not None and _is_right(data):
-            yield "letters", data
-    if data is None or _is_right(data):
-        return
+        if data is None or _is_right(data):
+            yield from () if data is None else [("letters", data)]
+            return
     found = identify(data)
-    if found.frame is not None and found.kind in _MISSING and _is_right(found.frame):
-        yield _MISSING[found.kind], found.frame
-    for each in check(data, alone=True).nearest:
-        if not each.unknown and _is_right(each.frame):
-            yield each.kind, each.frame
+    candidates = [] if found.frame is None or found.kind not in _MISSING else [(_MISSING[found.kind], found.frame)]
+    candidates += [(each.kind, each.frame) for each in check(data, alone=True).nearest if not each.unknown]
+    yield from (each for each in candidates if _is_right(each[1]))
 
 
 def _bytes_of(text: str) -> bytes | None:

@@ -1,5 +1,4 @@
 // The tables by number and name
-
 const byNumber = (list) => new Map(list.map((each) => [each.number, each]));
 const kinds = Object.fromEntries(TABLES.types.map((each) => [each.name, each]));
 const formats = new Map(TABLES.format_types.map(({ format, type }) => [format, kinds[type]]));
@@ -47,7 +46,6 @@ const parameterOf = ({ fixed, tail }, args, index) => {
 };
 
 // Values
-
 const hexOfByte = Array.from({ length: 256 }, (_, byte) => byte.toString(16).padStart(2, "0"));
 const hexOf = (bytes) => { let text = ""; for (const byte of bytes) text += hexOfByte[byte]; return text; };
 const textOf = (bytes) => { let text = ""; for (const byte of bytes) text += String.fromCharCode(byte); return text; };
@@ -74,7 +72,6 @@ const nameOf = ({ members, flags = false } = { members: {} }, value) => {
 };
 
 // Operations
-
 /** What is wrong, and where; `truncated` if more bytes could mend it. */
 class Fault { constructor(offset, reason, truncated = false) { Object.assign(this, { offset, reason, truncated }); } }
 const faultOf = (read) => { try { return read() ?? null; } catch (fault) { if (fault instanceof Fault) return fault; throw fault; } };
@@ -174,23 +171,20 @@ const readOperations = (data, start, set) => {
 };
 
 // System messages, and what their bytes may mean
-
-const SIZES = { u8: 1, u16: 2, u32: 4 };
-
 /** Reads a text of a length that may count its zero. */
 const readCountedText = (data, at, length, left) => {
-  if (left < length) throw new Fault(at, `a text of ${length} bytes runs past the end of the frame`, true);
+  if (left < length) throw new Fault(at, `a text of length ${length} runs past the end of the frame`, true);
   const end = at + length, zero = data[end];
   if (length && data[end - 1] === 0) return [textOf(data.subarray(at, end - 1)), end];
   if (left === length) throw new Fault(at, "the terminating zero of a text is missing", true);
-  if (zero) throw new Fault(end, `a text of ${length} bytes must end with a zero, not with ${shown(zero)}`);
+  if (zero) throw new Fault(end, `a text of length ${length} must end with a zero, not with ${shown(zero)}`);
   return [textOf(data.subarray(at, end)), end + 1];
 };
 
 /** Returns the value of a field and the offset after it. */
 const readField = (data, at, { name, kind }, counter, length) => {
-  const left = data.length - at, size = SIZES[kind];
-  if (size && left < size) throw new Fault(at, `the frame ends before the field ${name} (${kind})`, true);
+  const left = data.length - at, size = kind.startsWith("u") ? Number(kind.slice(1)) / 8 : 0;
+  if (left < size) throw new Fault(at, `the frame ends before the field ${name} (${kind})`, true);
   if (size) return [unsigned(data, at, size), at + size];
   if (kind === "text") return readText(data, at, at, `text ${name}`);
   if (kind === "counted text") return readCountedText(data, at, length, left);
@@ -210,8 +204,7 @@ const readFields = (list, data, begin, mayEnd) => {
       places[name] = { offset: at, length: end - at };
       at = end;
     }
-    const left = data.length - at;
-    return left ? new Fault(at, `${counted(left, "byte")} left over after the last field`) : null;
+    return at < data.length ? new Fault(at, `${counted(data.length - at, "byte")} left over after the last field`) : null;
   });
   return { fields, places, at, fault };
 };
@@ -243,7 +236,6 @@ const guesses = (memory) => {
 };
 
 // Replies to direct commands: the memory, by the outputs of the command
-
 /** Returns how many values an operation writes to an argument; null if it does not say. */
 const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, fixed, args) => {
   const name = from ?? indexedBy, count = name === undefined ? 1 : wholeOf(name, fixed, args);
@@ -269,10 +261,8 @@ const outputsOf = (operation, set) => {
 const readOutput = (memory, { kind: stated, start, end, isArray, parameter }, room) => {
   const rest = memory.subarray(start, end ?? memory.length), isList = isArray && stated !== UNTYPED;
   const kind = stated === UNTYPED ? [DATA32, DATA16, DATA8].find(({ size }) => size <= room) : stated;
-  if (kind === STRING) {
-    const [text] = textOf(rest).split("\0");
-    return { value: text, kind, length: text.length };
-  }
+  const text = kind === STRING ? textOf(rest).split("\0")[0] : null;
+  if (text !== null) return { value: text, kind, length: text.length };
   const length = isList ? Math.floor(rest.length / kind.size) * kind.size : kind.size;
   if (length < 1 || start + length > memory.length) return null;
   const numbers = Array.from({ length: length / kind.size }, (_, index) => numberAt(memory, kind, start + index * kind.size));
@@ -294,8 +284,7 @@ const replyValues = ({ operations }, memory, set) => operations.flatMap((operati
 });
 
 // Frames
-
-const MOST = TABLES.frame.most_bytes;
+const MOST = TABLES.frame.most_bytes, MOST_WAITING = 65536, MOST_ALIKE = 256;
 const unknown = (number, what = "system command") => new Fault(5, `unknown ${what} ${shown(number)}`);
 
 /** What is in a message, by its kind: its keys, the fault, and the offset from which on nothing was read. */
@@ -314,8 +303,7 @@ const BODIES = {
     const number = data[5], entry = system.get(number), found = { command: entry?.name ?? null, number: number ?? 0, fields: {}, at: 6 };
     if (number === undefined) return { ...found, fault: cut(data, "the system command"), at: 5 };
     if (!entry) return { ...found, fault: unknown(number) };
-    const { fields, at, fault } = readFields(entry.request, data, 6, false), message = entry.request.find((each) => each.is_message);
-    const payload = fields[message?.name];
+    const { fields, at, fault } = readFields(entry.request, data, 6, false), payload = fields[entry.request.find((each) => each.is_message)?.name];
     return { ...found, fields: plainFields(fields), ...(payload ? readings(payload) : {}), at, fault };
   },
   "system-reply": (data, { isError }) => {
@@ -373,24 +361,18 @@ export const decode = (frame, { request = null, dialect = "official" } = {}) => 
   const size = frame.length, hex = hexOf(frame);
   const tooShort = { offset: size, reason: `a frame has at least 5 bytes (length, counter, type), this one has ${size}` };
   if (size < 5) return { kind: "unknown", fault: tooShort, ...(size && { rest: hex }), hex };
-  const length = unsigned(frame, 0, 2), counter = unsigned(frame, 2, 2), type = types.get(frame[4]), isWrong = length + 2 !== size;
-  const outer = envelopeFault(frame, length, type);
+  const length = unsigned(frame, 0, 2), counter = unsigned(frame, 2, 2), type = types.get(frame[4]), isWrong = length + 2 !== size, outer = envelopeFault(frame, length, type);
   if (!type) return { kind: "unknown", ...(isWrong ? { length } : {}), fault: { offset: outer.offset, reason: outer.reason }, rest: hex, hex };
   const data = isWrong ? frame.subarray(0, Math.max(length + 2, 5)) : frame;
   const { at = data.length, fault = null, ...keys } = BODIES[type.kind](data, { isError: type.is_error === true, request, set: instructions(dialect) });
   const message = { kind: type.kind, type: type.name, length, counter, ...keys };
-  if (outer || fault) {
-    const { offset, reason } = outer ?? fault, isBoth = outer && fault && !fault.truncated;
-    message.fault = { offset, reason: isBoth ? `${reason}; and at offset ${fault.offset}: ${fault.reason}` : reason };
-    const rest = hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length));
-    if (rest) message.rest = rest;
-  }
-  message.hex = hex;
-  return message;
+  if (!outer && !fault) return { ...message, hex };
+  const { offset, reason } = outer ?? fault, more = outer && fault && !fault.truncated ? `; and at offset ${fault.offset}: ${fault.reason}` : "";
+  const rest = hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length));
+  return { ...message, fault: { offset, reason: reason + more }, ...(rest && { rest }), hex };
 };
 
 // What the tables say of a message
-
 /** Returns the declared parameter of each argument of an operation. */
 export const parametersOf = (operation, dialect = "official") => {
   const entry = entryOf(operation, instructions(dialect)), { args } = operation;
@@ -406,7 +388,6 @@ export const fieldsOf = ({ kind, number, values, hex }) => {
 };
 
 // Streams and dialogues
-
 /** Cuts a stream of bytes into frames, wherever its chunks end. */
 export class Frames {
   /** The bytes of the unfinished frame. */
@@ -433,13 +414,10 @@ export class Frames {
   }
 }
 
-const MOST_WAITING = 65536, MOST_ALIKE = 256;
-
 /** Follows the frames of one computer and one brick in both directions. A reply answers the oldest command with its counter that it fits. */
 export class Dialogue {
   #waiting = [];
   #dialect;
-
   constructor({ dialect = "official" } = {}) { this.#dialect = dialect; }
 
   /** The commands that wait for a reply, oldest first, as decode returned them. */
@@ -462,12 +440,11 @@ export class Dialogue {
     const fitting = alike.filter((each) => size === null || each.size === null || each.size === size);
     const answered = fitting[0] ?? alike.at(-1);
     if (!answered) return message;
-    const isSure = (fitting.length || alike.length) === 1, gone = alike.slice(0, alike.indexOf(answered) + 1);
+    const isSure = fitting.length === 1, gone = alike.slice(0, alike.indexOf(answered) + 1);
     this.#waiting = this.#waiting.filter((each) => !gone.includes(each));
     const { hex, ...found } = decode(frame, { request: answered.message, dialect: this.#dialect });
-    const misfit = `the command requests ${counted(answered.size, "byte")} of memory, but this reply has ${size}`;
-    const unsure = isSure ? undefined : "the pairing is unsure: several commands with its counter waited";
-    const note = fitting.length ? unsure : misfit;
+    const misfit = !fitting.length && `the command requests ${counted(answered.size, "byte")} of memory, but this reply has ${size}`;
+    const note = misfit || (!isSure && "the pairing is unsure: several commands with its counter waited");
     return { ...found, ...(note && { note }), hex };
   }
 }

@@ -134,7 +134,7 @@ class _Collector:
         """Adds a command with its reply; both are drawn if either is selected."""
         counted = [record for record in pair if record is not None and self._is_counted(record)]
         if any(record.message.type is not None for record in counted):
-            self._exchange(pair.command, pair.reply)
+            self._exchange(pair)
 
     def timeline(self) -> Timeline | None:
         """Returns the timeline; None if nothing was collected."""
@@ -185,22 +185,23 @@ class _Collector:
             self._move(record, record.transfer, brick)
         return True
 
-    def _exchange(self, command: Record | None, reply: Record | None) -> None:
+    def _exchange(self, pair: RequestReply) -> None:
+        command, reply = pair
         seen = command or reply
         assert seen is not None
         assert seen.message.type is not None
         subject = _subject(seen.message)
         lane = self._lane(self._brick(seen.route), _KINDS[seen.message.type.carries], subject)
-        mark = Mark(lane, _outcome(command, reply), self._at(seen), None, "", {}, seen.number)
+        mark = Mark(lane, _outcome(pair), self._at(seen), None, "", {}, seen.number)
         if command and reply:
             mark.end = self._at(reply)
             if self._is_timed and reply.latency is not None:
                 mark.latency = max(reply.latency, 0.0)
         if self._bins is None or (mark.outcome in TROUBLES and len(self._marks) < MOST_TROUBLES):
-            details = _exchange_details(command, reply)
+            details = _exchange_details(pair)
             if mark.latency is not None:
                 details = {"answer after": f"{mark.latency * 1000:,.3f} ms", **details}
-            mark.label = _exchange_label(command, reply)
+            mark.label = _exchange_label(*pair)
             mark.tip = self._tip(subject, mark, seen, details)
         self._keep(mark)
 
@@ -320,7 +321,8 @@ def _packets(event: Event) -> str:
     return f"{numbers[0]} to {numbers[-1]} ({len(numbers)} packets)"
 
 
-def _outcome(command: Record | None, reply: Record | None) -> MarkState:
+def _outcome(pair: RequestReply) -> MarkState:
+    command, reply = pair
     if reply is None:
         assert command is not None
         return MarkState.UNANSWERED if command.message.wants_reply else MarkState.SILENT
@@ -340,13 +342,14 @@ def _subject(message: Message) -> str:
     return "command not seen"
 
 
-def _exchange_details(command: Record | None, reply: Record | None) -> dict[str, str]:
+def _exchange_details(pair: RequestReply) -> dict[str, str]:
+    command, reply = pair
     details = {}
     if command is not None:
         details["command"] = clean(plain_text(command_spans(command.message, command.missing)))
     if reply is not None:
         details["reply"] = _reply_text(reply)
-    for name, record in (("command", command), ("reply", reply)):
+    for name, record in pair._asdict().items():
         if record is not None:
             details[f"{name}'s packet"] = _packets(record)
             if record.note is not None:

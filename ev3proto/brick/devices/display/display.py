@@ -7,6 +7,7 @@ whole: showing, saving, the line at the top.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from ev3proto.brick.devices import Part
 from ev3proto.brick.devices.display import top_line
@@ -145,8 +146,7 @@ class Display(Part):
         glyph = letters.glyph(character)
         if glyph is None:
             return
-        solid = (1 << letters.width) - 1
-        rows = list(glyph) if color else [row ^ solid for row in glyph]
+        rows = _painted(glyph, letters.width, color)
         if x % 8 == 0 and letters.width % 8 == 0:
             self.canvas.byte_cell(x, y, letters.width, rows)
         else:
@@ -206,14 +206,11 @@ class Display(Part):
         icons = ICONS.get(kind)
         if icons is None or not 0 <= number < len(icons.pictures):
             return
-        solid = (1 << icons.width) - 1
-        rows = [row if color else row ^ solid for row in icons.pictures[number]]
-        self.canvas.byte_cell(x & ~7, y, icons.width, rows)
+        self.canvas.byte_cell(x & ~7, y, icons.width, _painted(icons.pictures[number], icons.width, color))
 
     def picture(self, color: int, x: int, y: int, picture: Picture) -> None:
         """Draws a picture over the canvas, clipped at the edges; colour 0 inverts its pixels."""
-        solid = (1 << picture.width) - 1
-        self.canvas.cell(x, y, picture.width, [row if color else row ^ solid for row in picture.rows])
+        self.canvas.cell(x, y, picture.width, _painted(picture.rows, picture.width, color))
 
     def _draw_top_line(self) -> None:
         self.canvas.fillrect(0, 0, 0, WIDTH, top_line.HEIGHT)
@@ -222,3 +219,9 @@ class Display(Part):
         for x, icon in top_line.icon_places(self._settings, self._battery):
             self.icon(1, x, top_line.TOP, top_line.ICON_SET, icon)
         self.canvas.line(1, 0, top_line.HEIGHT, WIDTH - 1, top_line.HEIGHT)
+
+
+def _painted(rows: Iterable[int], width: int, color: int) -> list[int]:
+    """Returns the rows of a picture; colour 0 inverts its pixels."""
+    solid = (1 << width) - 1
+    return [row if color else row ^ solid for row in rows]

@@ -103,8 +103,8 @@ def _held(record: Record) -> Iterator[tuple[str, str, Any]]:
         yield from ((message.command or "", name, field) for name, field in message.fields.items())
     elif isinstance(message, DaisyCommand | DaisyReply):
         yield from ((_DAISY, name, getattr(message, name)) for name in _SENT_ON)
-        if isinstance(message, DaisyReply) and message.report is not None:
-            yield from ((_DAISY, name, field) for name, field in message.report._asdict().items())
+        if (report := getattr(message, "report", None)) is not None:
+            yield from ((_DAISY, name, field) for name, field in report._asdict().items())
 
 
 def is_parameter(name: str) -> bool:

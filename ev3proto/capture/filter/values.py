@@ -188,13 +188,14 @@ class Kind:
     def _error(self, name: str, relation: str, word: Word) -> str:
         text, written = word.text, f'"{word.text}"' if word.is_quoted else word.text
         members = self.names or tuple(member for enum in self.enums for member in enum.members)
-        if relation == "==" and members and (self.names or not (word.is_quoted or word.number is not None)):
+        is_plain = not word.is_quoted and word.number is None
+        if relation == "==" and members and (self.names or is_plain):
             return self._unknown(name, text, members)
         if self.is_bare:
             return f"{name} cannot be compared by {relation}; use == or !="
         if word.quantity is not None and self.units:
             return f"{name} is measured in {' or '.join(self.units)}, not in {word.quantity[1]}"
-        if self.text and not word.is_quoted and word.number is None:
+        if self.text and is_plain:
             return f'texts need quotes: {name} {relation} "{text}"'
         return f"{name} is {self.what}; it cannot be compared by {relation} with {written}"
 

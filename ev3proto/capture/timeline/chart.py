@@ -169,10 +169,11 @@ class _Chart:
         bands: list[Json] = []
         data: dict[str, list[Json]] = {}
         row_of: dict[Lane, str] = {}
+        files = [mark for mark in marks if mark.lane.kind is LaneKind.FILES]
         for kind in LaneKind:
             start = len(rows)
             if kind is LaneKind.FILES:
-                data |= self._files((mark for mark in marks if mark.lane.kind is kind), number, rows)
+                data |= self._files(files, number, rows)
             else:
                 self._rows({lane: n for lane, n in lanes.items() if lane.kind is kind}, rows, row_of)
             shaded = len({band["kind"] for band in bands}) % 2 == 0
@@ -189,11 +190,7 @@ class _Chart:
         self.datasets[f"bands{number}"] = bands
         longest = max((len(row.partition("/")[2]) for row in rows), default=0)
         self.margin = max(self.margin, KINDS_WIDTH + min(_CAPITAL * longest, 300))
-        aside = [_count(tally.messages, "message")]
-        latency = tally.latencies.percentiles()
-        if latency is not None:
-            aside += [f"median answer {duration(latency.median)}", f"slowest {duration(latency.max)}"]
-        self.views.append(self._view(number, rows) | {"title": _heading(brick, [", ".join(aside)])})
+        self.views.append(self._view(number, rows) | {"title": _heading(brick, [_aside(tally)])})
 
     def _counted(self, bricks: set[str]) -> Counter[Lane]:
         """Returns the numbers of marks that are only counted, by lane."""
@@ -424,6 +421,14 @@ _LEGEND = {
     "labelLimit": 0,
     "columns": {"expr": "max(1, floor(room / 190))"},
 }
+
+
+def _aside(tally: Tally) -> str:
+    said = [_count(tally.messages, "message")]
+    latency = tally.latencies.percentiles()
+    if latency is not None:
+        said += [f"median answer {duration(latency.median)}", f"slowest {duration(latency.max)}"]
+    return ", ".join(said)
 
 
 def _layer(data: str, mark: Json, encoding: Json, where: str | None = None) -> Json:

@@ -602,17 +602,21 @@ def _wrong_constant(parameter: Parameter, value: Meaning | None) -> str | None:
     if isinstance(value, str):
         is_text = kind in (Type.STRING, Type.ARRAY_TYPED, Type.DATA8) and not parameter.counts
         return None if is_text else f"is a {parameter.label}, not a string"
-    return _wrong_number(parameter, kind, value)
+    return _wrong_number(parameter, value)
 
 
-def _wrong_number(parameter: Parameter, kind: Type, value: int) -> str | None:
+_NARROW = {kind: RANGES[kind] for kind in (Type.DATA8, Type.DATA16)}
+
+
+def _wrong_number(parameter: Parameter, value: int) -> str | None:
+    kind = parameter.type
     if kind is Type.DATAF:
         if value in (0, CONSTANTS["DATAF_NAN"]):
             return None
         return "is a DATAF, and a whole number means its bits there, while floats end in F"
     if kind is Type.STRING:
         return "is a string, not a number"
-    limits = RANGES.get(kind) if kind in (Type.DATA8, Type.DATA16) and not parameter.counts else None
+    limits = None if parameter.counts else _NARROW.get(kind)
     if parameter.unsigned and value in BITS[kind]:
         return None
     if limits is not None and not limits.low <= value <= limits.high and value != limits.nan & (limits.high * 2 + 1):

@@ -379,7 +379,10 @@ class Parser:
             return Marked(token.at, token.text, self._taken_name())
         if token.kind != NAME:
             return self._plain()
-        name = self._taken_name()
+        return self._from_name(self._taken_name())
+
+    def _from_name(self, name: Name) -> Value:
+        """Parses what follows a name without blanks: `x+3`, `a:b`, `A+B`."""
         if self._is_glued("+") and self._peek(1).kind == NUMBER:
             self._next()
             number = self._number()

@@ -141,16 +141,20 @@ def part_sizes(
         if isinstance(part, bytes):
             sizes.append(len(part))
             continue
-        for name in (part.name,) if isinstance(part, PendingJump) else (part.start, part.end):
-            if name not in labels and name not in elsewhere:
-                hint = near_misses(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
-                raise SourceError(part.at, f"unknown label {cited(name)}{hint}")
+        _check_labels(part, labels, elsewhere)
         form = "LC4" if isinstance(part, Distance) else part.form
         sizes.append(JUMP_SIZES[form or "LC2"])
         if isinstance(part, PendingJump) and form is None and part.name in labels:
             goals[place] = labels[part.name]
     measure(sizes, goals, rules)
     return sizes
+
+
+def _check_labels(part: PendingJump | Distance, labels: Mapping[str, int], elsewhere: Container[str]) -> None:
+    for name in (part.name,) if isinstance(part, PendingJump) else (part.start, part.end):
+        if name not in labels and name not in elsewhere:
+            hint = near_misses(name, labels) or f": `{cited(name)}:` in front of an operation makes one"
+            raise SourceError(part.at, f"unknown label {cited(name)}{hint}")
 
 
 def encoded_parts(parts: Sequence[Piece], sizes: Sequence[int], labels: Mapping[str, int], start: int = 0) -> bytes:
@@ -274,9 +278,7 @@ class Encoder:
         if parameter.role is Role.OBJECT:
             hint = hint or f": `define {name} 2` in front of it gives the number of the object, counted from 1"
         elif enum is None or parameter.is_output:
-            is_label = parameter.type is Type.LABEL
-            declares = f"{_declaration(parameter, name)} in front of it declares a variable"
-            declares = f"`define {name} 1` in front of it makes it a number" if is_label else declares
+            declares = _declaration(parameter, name)
             hint = f"{hint} Or {declares}" if hint else f": {declares}"
         elif not hint:
             hint = f": it has {', '.join(list(enum.members)[:_MOST_MEMBERS])}, ..."
@@ -441,6 +443,9 @@ class Encoder:
             return PendingJump(part.at, meaning.name, name)
         if name[1] == "V":
             return self._variable_form(name, part, meaning)
+        return self._value_form(name, part, meaning)
+
+    def _value_form(self, name: str, part: Value, meaning: Meaning) -> bytes:
         if isinstance(meaning, Callee):
             meaning = meaning.number
         if name in ("LCS", "LCS_OLD"):
@@ -489,10 +494,13 @@ _WORDS = {kind: word for word, kind in reversed(VARIABLE_WORDS.items())}
 
 
 def _declaration(parameter: Parameter, name: str) -> str:
-    """Returns a line that declares a variable for a parameter."""
+    """Returns which line declares a name for a parameter."""
+    if parameter.type is Type.LABEL:
+        return f"`define {name} 1` in front of it makes it a number"
+    line = f"{_WORDS.get(parameter.type, DATA8.label)} {name}"
     if parameter.type is Type.STRING or parameter.length is not None:
-        return f"`DATAS {name} 64`"
-    return f"`{_WORDS.get(parameter.type, DATA8.label)} {name}`"
+        line = f"DATAS {name} 64"
+    return f"`{line}` in front of it declares a variable"
 
 
 def _shown(meaning: Meaning) -> str:

@@ -53,13 +53,14 @@ class Excerpt:
         self._lines: dict[int, str] = {}
         self._width = 2 + len(str(max(len(frame) - 1, 10)))
         self.margin = " " * self._width
+        self._gutter = f"{self.margin} |", Role.GUTTER
 
     def meant(self, at: int, size: int, unknown: Iterable[tuple[int, int]]) -> list[Spans]:
         """Returns the rows of a frame that was meant, its changed bytes underlined, its unknown ones as ??."""
         for start, length in unknown:
             first, after = _BYTE * start, _BYTE * (start + length)
             self._hex = self._hex[:first] + " ??" * length + self._hex[after:]
-        lines: list[Spans] = [[(f"{self.margin} |", Role.GUTTER)]]
+        lines: list[Spans] = [[self._gutter]]
         last = max(at + size - 1, at) // ROW
         rows = range(min(max(at // ROW - 1, 0), max(self._rows_in_all - MOST_ROWS, 0)), self._rows_in_all)
         for number in rows[:MOST_ROWS]:
@@ -81,7 +82,7 @@ class Excerpt:
 
     def show(self, finding: Finding, role: str) -> list[Spans]:
         """Returns the rows with a finding's bytes underlined, and the meaning of the bytes and of their operation."""
-        lines: list[Spans] = [[(f"{self.margin} |", Role.GUTTER)], *self._rows(finding, role)] if self._size else []
+        lines: list[Spans] = [[self._gutter], *self._rows(finding, role)] if self._size else []
         text = self._decoded(finding)
         if text:
             lines.append([(f"{self.margin} = {text}", Role.ASIDE)])
@@ -96,16 +97,15 @@ class Excerpt:
             end = size if size > start else start + 1
         last = (end - 1) // ROW if end - 1 < size or start % ROW else (start - 1) // ROW
         first = min(start // ROW, last)
-        for number in range(first, last + 1):
-            if first + MOST_ROWS - 1 <= number < last:
-                if number == first + MOST_ROWS - 1:
-                    lines.append([("...".rjust(self._width) + " | ...", Role.GUTTER)])
-                continue
-            lines += self._row(number * ROW, start, end, role, self._label(finding) if number == last else "")
-        return lines
+        before = range(first, last)
+        for number in before[: MOST_ROWS - 1]:
+            lines += self._row(number * ROW, start, end, role, "")
+        if len(before) >= MOST_ROWS:
+            lines.append([("...".rjust(self._width) + " | ...", Role.GUTTER)])
+        return [*lines, *self._row(last * ROW, start, end, role, self._label(finding))]
 
     def _row(self, row: int, start: int, end: int, role: str, label: str) -> tuple[Spans, Spans]:
-        """Yields a row of bytes, and the line under a span of it."""
+        """Returns a row of bytes, and the line under a span of it."""
         digits, stop = self._hex, _BYTE * (row + ROW)
         # Bytes missing after a full row are marked after that row.
         first, after = _BYTE * max(start, row), _BYTE * min(end, row + ROW)
@@ -118,7 +118,7 @@ class Excerpt:
             (digits[max(after, first) : stop], Role.PLAIN),
         ]
         under = [
-            (f"{self.margin} |", Role.GUTTER),
+            self._gutter,
             (" " * (first - _BYTE * row + 1), Role.PLAIN),
             (marks, role),
             (f" {label}" if label else "", Role.PLAIN),
@@ -382,18 +382,15 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
 
 
 def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:
-    """Yields the findings of one span. Help that several of them share is given once."""
+    """Returns the findings of one span, the worst first. Help that several of them share is given once."""
     first = findings[0]
     offset, length = first.offset, first.length
-    lines = [
-        Line([_mark(finding), (f": {finding.message}", Role.HEADING)], offset, length, finding.code)
-        for finding in findings
-    ]
+    lines = [Line([_mark(one), (f": {one.message}", Role.HEADING)], offset, length, one.code) for one in findings]
     about = " of ".join(filter(None, (first.parameter, first.operation)))
     where = f"offset {first.offset}{f', {about}' if about else ''}"
     arrow = [(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)]
-    worst = min((finding.severity for finding in findings), key=_WORST.index)
-    lines += [Line(spans, offset, length, first.code) for spans in (arrow, *excerpt.show(first, ROLES[worst]))]
+    shown = excerpt.show(first, ROLES[first.severity])
+    lines += [Line(spans, offset, length, first.code) for spans in (arrow, *shown)]
     helps: dict[str, str] = {}
     for finding in findings:
         helps.setdefault(finding.help, finding.code)

@@ -102,6 +102,12 @@ class CheckContext:
         self.fault = None if is_over else self.message.flaw.fault
 
     @property
+    def own_fault(self) -> Fault | None:
+        """The fault that is not explained by a wrong length field."""
+        fault = self.fault
+        return None if fault is not None and fault.truncated and self.is_length_wrong else fault
+
+    @property
     def is_whole(self) -> bool:
         """Whether the operations are complete."""
         return self.fault is None and (not self.operations or self.operations[-1].end == self.end)

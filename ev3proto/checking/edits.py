@@ -132,14 +132,18 @@ _ORDERS = (
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:
     """Yields the frames whose digits of hex are the decimal digits of these bytes."""
-    size, length = len(frame), with_length(frame[LENGTH_FIELD:])[:LENGTH_FIELD]
-    is_length = frame[0] in (length[0], _as_decimal(length[0])) and frame[1] == length[1]
-    other = [byte for byte in frame[TYPE_AT:] if byte > _MOST_DECIMAL and f"{byte:02x}".isdigit()]
-    for one, extra in _from_decimals(length + frame[LENGTH_FIELD:]) if is_length and not other else ():
-        changed = [at for at in range(TYPE_AT, size) if one[at] != frame[at]]
+    for one, extra in _from_decimals(with_length(frame[LENGTH_FIELD:])) if _may_be_decimals(frame) else ():
+        changed = [at for at in range(TYPE_AT, len(frame)) if one[at] != frame[at]]
         if one[TYPE_AT] in _COMMANDS and (changed[:1] == [TYPE_AT] or len(changed) > 1):
             words = f"{one[changed[0]]:02X}", f"{frame[changed[0]]:02X}"
-            yield Edit("decimals", 0, size, one, words, extra + 0.5 * (changed[0] != TYPE_AT))
+            yield Edit("decimals", 0, len(frame), one, words, extra + 0.5 * (changed[0] != TYPE_AT))
+
+
+def _may_be_decimals(frame: bytes) -> bool:
+    """Returns whether the length is right, maybe in decimals, and no byte has digits that are never taken for them."""
+    length = with_length(frame[LENGTH_FIELD:])[:LENGTH_FIELD]
+    is_length = frame[0] in (length[0], _as_decimal(length[0])) and frame[1] == length[1]
+    return is_length and not any(byte > _MOST_DECIMAL and f"{byte:02x}".isdigit() for byte in frame[TYPE_AT:])
 
 
 def _from_decimals(frame: bytes) -> Iterator[tuple[bytes, float]]:
@@ -260,22 +264,28 @@ def _readings(place: Place) -> Iterator[tuple[str, int, int, float]]:
     """Yields numbers that may be meant by the bytes at a place: kind, number of bytes, number, further cost."""
     yield from _raw(place)
     data, at, argument = place.code.data, place.at, place.argument
-    first, after = data[at], data[at + 1 : at + 5]
-    if first in _LABELS and argument is not None:
-        number = int.from_bytes(after[: _LABELS[first]], "little") & (1 << 31) - 1
-        # Other numbers than those of labels are what they are to the brick, too.
-        is_label = number < LABELS
-        yield "label", 1 + _LABELS[first], -number, 0.0 if is_label else 0.5
-        yield "label", 1 + _LABELS[first], number, 0.5 if is_label else 0.0
-    width = _WIDTHS.get(first, 0)
+    width = _WIDTHS.get(data[at], 0)
+    if argument is not None:
+        yield from _of_labels(data[at], data[at + 1 : at + 5])
     if width > 1:
-        number = int.from_bytes(after[:width], "big", signed=True)
+        number = int.from_bytes(data[at + 1 : at + 1 + width], "big", signed=True)
         yield "swapped", 1 + width, number, _of_swapped(number, argument)
     if width and argument is not None and not place.number(int(argument.value)):
         for bits in (8, 16):
             number = int(argument.value) - (1 << bits)
             if -(1 << bits - 1) <= number < 0:
                 yield "sign", 1 + width, number, 0.0
+
+
+def _of_labels(first: int, after: bytes) -> Iterator[tuple[str, int, int, float]]:
+    """Yields the numbers that may be meant by a label."""
+    width = _LABELS.get(first)
+    if width is not None:
+        number = int.from_bytes(after[:width], "little") & (1 << 31) - 1
+        # Other numbers than those of labels are what they are to the brick, too.
+        is_label = number < LABELS
+        yield "label", 1 + width, -number, 0.0 if is_label else 0.5
+        yield "label", 1 + width, number, 0.5 if is_label else 0.0
 
 
 def _of_swapped(number: int, argument: Argument | None) -> float:
@@ -377,14 +387,16 @@ def _result(place: Place) -> Iterator[Edit]:
     if _LV0 <= first < _GV0 and wants_reply:
         new = bytes((first - _LV0 + _GV0,))
         yield Edit("scope", at, at + 1, new, (*place.names, spaced(new)))
-    if first == _LC1 and at + 1 < len(code.data) and _LV0 <= code.data[at + 1] < _GV0 + _SHORT:
+    if code.data[at : at + 2] in _VARIABLES_IN_LC1:
         yield Edit("variable-81", at, at + 1, b"", (*place.names, spaced(code.data[at + 1 : at + 2])))
-    if first < _SHORT:
-        for scope, base, fits, extra in ((GLOBAL, _GV0, wants_reply, 0.0), (LOCAL, _LV0, code.memory.locals > 0, 0.5)):
-            if fits:
-                new = bytes((base + first,))
-                words = (*place.names, Variable(scope, first), spaced(new))
-                yield Edit("variable", at, at + 1, new, words, extra)
+    scopes = ((GLOBAL, _GV0, wants_reply, 0.0), (LOCAL, _LV0, code.memory.locals > 0, 0.5))
+    for scope, base, is_possible, extra in scopes:
+        if first < _SHORT and is_possible:
+            new = bytes((base + first,))
+            yield Edit("variable", at, at + 1, new, (*place.names, Variable(scope, first), spaced(new)), extra)
+
+
+_VARIABLES_IN_LC1 = frozenset(bytes((_LC1, first)) for first in range(_LV0, _GV0 + _SHORT))
 
 
 def _lost(place: Place) -> Iterator[Edit]:
@@ -481,11 +493,10 @@ def _no_results(code: CommandCode, facts: OperationFacts, reading: Reading) -> I
         return
     variables, end = _places(wanted)
     new = count + variables
-    is_exact = end == room or (wanted[-1].is_array and end <= room)
-    extra, guess = (0.0, 0) if is_exact else (1.0, len(new))
+    is_guess = end != room and not (wanted[-1].is_array and end < room)
     names = ", ".join(dict.fromkeys(known.parameter.name for known in wanted))
     words = (names, facts.name, "is" if len(wanted) == 1 else "are", spaced(new))
-    yield Edit("no-results", at, at, new, words, extra, guess)
+    yield Edit("no-results", at, at, new, words, 1.0 * is_guess, len(new) * is_guess)
 
 
 def _results(facts: OperationFacts, reading: Reading, room: int) -> tuple[int, list[ParameterFacts], bytes]:
@@ -662,18 +673,21 @@ def _of_field(frame: bytes, at: int, field: SystemField, entry: SystemDeclaratio
     if field.counts is not None:
         yield from _of_count(frame, at, field, entry)
     elif field.kind in NUMBERS:
-        width = int(NUMBERS[field.kind].sizeof())
-        value = frame[at : at + width]
-        yield Edit("no-field", at, at, (_USUAL_SIZE if width == 2 else 0).to_bytes(width, "little"), names, guess=width)
-        if value != value[::-1]:
-            words = (*names, int.from_bytes(value, "big"), spaced(value[::-1]))
-            yield Edit("swapped", at, at + width, value[::-1], words)
+        yield from _of_number(frame, at, int(NUMBERS[field.kind].sizeof()), names)
     elif field.kind is FieldKind.TEXT:
         yield Edit("no-zero", len(frame), len(frame), b"\0", names)
     elif field.kind is FieldKind.COUNTED_TEXT:
         for count in (frame[at - 1], frame[at - 1] - 1):
             if 0 < count <= len(frame) - at and frame[at + count - 1]:
                 yield Edit("no-zero", at + count, at + count, b"\0", names, 0.2 if count == frame[at - 1] else 0.0)
+
+
+def _of_number(frame: bytes, at: int, width: int, names: tuple[str, str]) -> Iterator[Edit]:
+    value = frame[at : at + width]
+    yield Edit("no-field", at, at, (_USUAL_SIZE if width == 2 else 0).to_bytes(width, "little"), names, guess=width)
+    if value != value[::-1]:
+        words = (*names, int.from_bytes(value, "big"), spaced(value[::-1]))
+        yield Edit("swapped", at, at + width, value[::-1], words)
 
 
 def _of_count(frame: bytes, at: int, field: SystemField, entry: SystemDeclaration) -> Iterator[Edit]:

@@ -61,17 +61,12 @@ def habitual(code: CommandCode) -> Iterator[tuple[tuple[Edit, ...], float, float
     if size > _LONGEST:
         return
     paths: _Paths = {(COMMAND_HEADER_SIZE, kind): _Path() for kind in (*HABITS, "none left out")}
-    while True:
-        at = min((start for start, _ in paths if start < size), default=size)
-        here = {key: path for key, path in paths.items() if key[0] == at}
-        if at == size:
-            break
-        for key in here:
-            del paths[key]
+    while (at := min((start for start, _ in paths), default=size)) < size:
+        here = {key: paths.pop(key) for key in list(paths) if key[0] == at}
         for key, path in _operation(code, at, here).items():
             _keep(paths, key, path)
-    for path in here.values():
-        if len(path.edits) > 1:
+    for (end, _), path in paths.items():
+        if end == size and len(path.edits) > 1:
             cost = SLIPS[path.edits[0].kind].cost + path.extra + _REPEATED * (len(path.edits) - 1)
             yield path.edits, cost, path.read
 

@@ -86,7 +86,7 @@ _UNDEFINED: Form = (Encoding("", CONSTANT, 0), lambda _data, _at: (0,), 1)
 _FORMS = tuple(form or _UNDEFINED for form in INTEGER_FORMS)
 
 _CMD = ((CMD.parameter, _FORMS),)
-_CMD_REQUIREMENT = requirement(CMD.parameter)
+_OF_CMD = (requirement(CMD.parameter),)
 
 
 class _Expected(NamedTuple):
@@ -137,6 +137,7 @@ class Validator:
         found: list[Argument] = []
         expected = self.opcodes[data[at]]
         after = at + 1
+        required: tuple[Requirement, ...] = ()
         if expected is None:
             commands = self.families[data[at]]
             if commands is None:
@@ -144,21 +145,12 @@ class Validator:
                 return Refusal(Reason.OPCODE, at)
             # Rule 8: CMD is a parameter of 8 bits, whose value selects the rest.
             after = read_arguments(_CMD, data, after, len(data), found)
-            expected = commands[_number(found[0]) & 0xFF]
+            expected, required = commands[_number(found[0]) & 0xFF], _OF_CMD
         after = read_arguments(expected.readers, data, after, len(data), found)
-        required = expected.requirements
-        if len(found) > len(required):
-            required = (_CMD_REQUIREMENT, *required)
-        for argument, check in zip(found, required, strict=True):
-            if argument.is_variable:
-                # Rules 4 and 7.
-                if _number(argument) % (check.handle_alignment if argument.form.handle else check.alignment):
-                    return Refusal(Reason.ALIGNMENT, argument.offset)
-                continue
-            # Rules 3, 5 and 11.
-            is_label = check.kind is Type.LABEL
-            if (is_label or argument is found[0]) and check.numbers and _number(argument) not in check.numbers:
-                return Refusal(Reason.LABEL if is_label else Reason.RANGE, argument.offset)
+        for argument, check in zip(found, required + expected.requirements, strict=True):
+            refused = _refused(argument, check, is_first=argument is found[0])
+            if refused is not None:
+                return Refusal(refused, argument.offset)
         return _after_list(data, after, end, found[-1]) if expected.has_tail else after
 
 
@@ -168,6 +160,20 @@ class Refusal(NamedTuple):
     reason: Reason
     blamed: int
     spins: bool = False
+
+
+def _refused(argument: Argument, check: Requirement, *, is_first: bool) -> Reason | None:
+    """Returns why an argument is refused."""
+    number = _number(argument)
+    if argument.is_variable:
+        # Rules 4 and 7.
+        is_refused = number % (check.handle_alignment if argument.form.handle else check.alignment)
+        return Reason.ALIGNMENT if is_refused else None
+    # Rules 3, 5 and 11.
+    is_label = check.kind is Type.LABEL
+    if (is_label or is_first) and check.numbers and number not in check.numbers:
+        return Reason.LABEL if is_label else Reason.RANGE
+    return None
 
 
 def _after_list(data: bytes, at: int, end: int, counter: Argument) -> int | Refusal:

@@ -136,9 +136,10 @@ class _Check:
 
     def _end(self, part: CodeObject) -> Iterator[Finding]:
         steps = part.operations
+        is_ended = steps[-1].name == _OBJECT_END if steps else part.number == 1 or not part.rest
         if part.fault is not None and not part.fault.truncated and not part.flaw.headless:
             yield codes.UNREAD.at(part.fault.offset, 0, number=part.number, reason=part.fault.reason)
-        elif (steps and steps[-1].name != _OBJECT_END) or (not steps and part.number > 1 and part.rest):
+        elif not is_ended:
             yield codes.NO_END.at(steps[-1].offset if steps else part.offset, 0, number=part.number)
         elif part.rest and not part.flaw.headless:
             yield from self._left_over(part.offset + len(part.code) - len(part.rest), len(part.rest))
@@ -203,10 +204,9 @@ def _way(part: CodeObject, image: bytes, dialect: str) -> Iterator[Finding]:
         return
     starts = starts_of(steps)
     labels = labels_of(steps)
-    for step in steps:
-        jump = jump_of(step)
-        goal = None if jump is None else target_of(step, jump, labels)
-        if jump is not None and goal is None and not is_label(jump):
+    for step, jump in [(step, jump) for step in steps if (jump := jump_of(step)) is not None]:
+        goal = target_of(step, jump, labels)
+        if goal is None and not is_label(jump):
             yield _at(step, jump, codes.UNKNOWN_JUMP)
         elif goal is not None and place_of(goal, starts) is None:
             yield codes.BAD_JUMP.at(step.offset, step.length, owner=step.full_name, target=goal, number=part.number)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 from construct import Int16ul, Int32ul
@@ -67,6 +68,10 @@ class Program:
         return build(self)
 
 
+_Entry = tuple[int, int, int, int]
+"""An entry of the table of objects: offset, owner, triggers, bytes of local memory."""
+
+
 class _Code(NamedTuple):
     """The code at an offset."""
 
@@ -95,37 +100,26 @@ class _Reader:
         end = len(self.image)
         if size != end:
             self._fault(len(SIGN), f"the header says {counted(size, 'byte')}; the image has {end}", size > end)
-        room = (end - IMAGE_HEADER_SIZE) // OBJECT_HEADER_SIZE
-        known = min(count, room)
+        stated = self._entries(count)
+        entries = self._where_validated(stated)
+        table_end = IMAGE_HEADER_SIZE + len(entries) * OBJECT_HEADER_SIZE
+        starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
+        self._ends = dict(pairwise((*starts, end)))
+        objects = tuple(self._objects(entries))
+        gap = self.image[table_end : min(starts, default=end)]
+        gaps = ((table_end, gap),) if gap else ()
+        headers, offsets = (tuple(offset for offset, *_ in some) for some in (stated, entries))
+        is_regular = not gaps and offsets == tuple(regular_offsets([_entry(part) for part in objects]))
+        is_stated = headers == offsets
+        defects = Defects(tuple(self.faults), None if is_regular else offsets, gaps, None if is_stated else headers)
+        return Program(version=version, global_size=global_size, objects=objects, defects=defects)
+
+    def _entries(self, count: int) -> list[_Entry]:
+        """Returns the entries in the table of objects, as far as it is there."""
+        known = min(count, (len(self.image) - IMAGE_HEADER_SIZE) // OBJECT_HEADER_SIZE)
         if known < count:
             self._fault(_COUNT_AT, f"the table of objects is cut off: {count} should be in it, {known} are", True)
-        table_end = IMAGE_HEADER_SIZE + known * OBJECT_HEADER_SIZE
-        entries = [
-            PACKED_OBJECT.unpack_from(self.image, IMAGE_HEADER_SIZE + index * OBJECT_HEADER_SIZE)
-            for index in range(known)
-        ]
-        stated = tuple(offset for offset, *_ in entries)
-        if not all(stated):
-            entries = self._where_validated(entries)
-        starts = sorted({offset for offset, *_ in entries if table_end <= offset < end})
-        self._ends = dict(zip(starts, [*starts[1:], end], strict=True)) if starts else {}
-        objects = self._objects(entries)
-        first = starts[0] if starts else end
-        gaps = ((table_end, self.image[table_end:first]),) if first > table_end else ()
-        regular = tuple(regular_offsets([_entry(part) for part in objects]))
-        offsets = tuple(offset for offset, *_ in entries)
-        defects = Defects(
-            tuple(self.faults),
-            offsets if offsets != regular or gaps else None,
-            gaps,
-            stated if stated != offsets else None,
-        )
-        return Program(
-            version=version,
-            global_size=global_size,
-            objects=tuple(objects),
-            defects=NO_DEFECTS if defects == NO_DEFECTS else defects,
-        )
+        return list(PACKED_OBJECT.iter_unpack(self.image[IMAGE_HEADER_SIZE:][: known * OBJECT_HEADER_SIZE]))
 
     def _header(self) -> tuple[int, int, int, int]:
         image = self.image
@@ -143,8 +137,10 @@ class _Reader:
     def _fault(self, offset: int, reason: str, truncated: bool = False) -> None:
         self.faults.append(Fault(offset, reason, truncated))
 
-    def _where_validated(self, entries: list[tuple[int, int, int, int]]) -> list[tuple[int, int, int, int]]:
+    def _where_validated(self, entries: list[_Entry]) -> list[_Entry]:
         """Returns the entries with offsets of 0, as in one published image, replaced by those the firmware uses."""
+        if all(offset for offset, *_ in entries):
+            return entries
         offsets = [read.offset for read in walk(self.image, self._instructions.dialect).objects]
         offsets += [0] * (len(entries) - len(offsets))
         return [
@@ -152,7 +148,7 @@ class _Reader:
             for (offset, owner, triggers, local_size), validated in zip(entries, offsets, strict=True)
         ]
 
-    def _objects(self, entries: list[tuple[int, int, int, int]]) -> list[CodeObject]:
+    def _objects(self, entries: list[_Entry]) -> list[CodeObject]:
         codes: dict[tuple[int, bool], _Code] = {}
         callees: dict[int, tuple[ProgramParameter, ...]] = {}
         for number, (offset, owner, triggers, _) in enumerate(entries, 1):

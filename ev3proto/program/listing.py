@@ -86,6 +86,9 @@ def _head(program: Program) -> Iterator[Line]:
         yield Line([("headers that say offset 0 mean the code that is next", Role.ASIDE)])
 
 
+_WAYS = {Direction.IN: "in", Direction.OUT: "out", Direction.INOUT: "in and out"}
+
+
 def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
     line = Line([(f"object {part.number}", Role.HEADING), (f"  {part.kind} {name}", Role.OPERATION)])
     line.append((f" at {part.offset}, {counted(part.local_size, 'byte')} of locals", Role.PLAIN))
@@ -98,7 +101,7 @@ def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
         yield Line([(f"  its code is that of object {part.shares}", Role.ASIDE)])
         return
     for number, (parameter, place) in enumerate(zip(part.parameters, part.places, strict=True)):
-        way = {Direction.IN: "in", Direction.OUT: "out", Direction.INOUT: "in and out"}[parameter.direction]
+        way = _WAYS[parameter.direction]
         size = "" if parameter.size is None else f" of {counted(parameter.size, 'byte')}"
         yield Line(
             [
@@ -109,7 +112,7 @@ def _object_head(part: CodeObject, name: str) -> Iterator[Line]:
         )
     calls = called_by(part)
     if calls:
-        shown = ", ".join(str(number) for number in calls[:_MOST_NAMED]) + (", ..." if len(calls) > _MOST_NAMED else "")
+        shown = ", ".join([*map(str, calls[:_MOST_NAMED]), *["..."][: len(calls) - _MOST_NAMED]])
         yield Line([(f"  calls {shown}", Role.ASIDE)])
 
 

@@ -134,19 +134,15 @@ def _image(program: AssembledProgram, version: int) -> bytes:
     """Returns the image of a program. Raises BuildError."""
     said, objects = program.settings, program.objects
     entries = [NewObject(it.owner, it.triggers, it.local_size, _code(it), it.shares) for it in objects]
-    regular = list(regular_offsets(entries))
-    offsets = [it.settings.get("offset", offset) for it, offset in zip(objects, regular, strict=True)]
+    offsets = [it.settings.get("offset", usual) for it, usual in zip(objects, regular_offsets(entries), strict=True)]
     headers = [it.settings.get("header", offset) for it, offset in zip(objects, offsets, strict=True)]
     if len({it.last for it in objects}) < len(objects):
         # Objects of the same name share the header of the last one.
         headers = [offsets[it.last] for it in objects]
-        sizes = [objects[it.last].local_size for it in objects]
-        entries = [entry._replace(local_size=size) for entry, size in zip(entries, sizes, strict=True)]
-    defects = Defects(
-        offsets=None if offsets == regular and not said.gaps else tuple(offsets),
-        gaps=tuple(said.gaps),
-        headers=None if headers == offsets else tuple(headers),
-    )
+        entries = [
+            entry._replace(local_size=entries[it.last].local_size) for entry, it in zip(entries, objects, strict=True)
+        ]
+    defects = Defects(offsets=tuple(offsets), gaps=tuple(said.gaps), headers=tuple(headers))
     return image_of(version, said.numbers.get("globals", program.global_size), entries, defects)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import NamedTuple
 
-from ev3proto.checking.verdict import OBJECT_END, Reason, Refusal, validator
+from ev3proto.checking.verdict import OBJECT_END, Reason, Refusal, Validator, validator
 from ev3proto.program.header import IMAGE_HEADER_SIZE, OBJECT_HEADER_SIZE, PACKED_HEADER, PACKED_OBJECT
 from ev3proto.program.parameters import has_size
 from ev3proto.tables.program import DEFAULT_VERSION, OLD_VERSIONS, RELEASE_VERSION, SIGN, ObjectKind, kind_of
@@ -70,36 +70,59 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
     A version between that of 2013's release and the latest says that the program is for a firmware with newer commands.
     """
     stated, version, count, _ = PACKED_HEADER.unpack_from(image, SIZE_AT)
-    at = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
-    faults = {HeaderReason.EMPTY: not count, HeaderReason.SMALL: stated < at, HeaderReason.SHORT: len(image) < stated}
-    for reason in [one for one, is_so in faults.items() if is_so]:
+    table_end = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
+    faults = (
+        (HeaderReason.EMPTY, not count),
+        (HeaderReason.SMALL, stated < table_end),
+        (HeaderReason.SHORT, len(image) < stated),
+    )
+    for reason in [one for one, is_so in faults if is_so]:
         return Walk(False, SIZE_AT, reason.value.format(stated=stated, count=count, size=len(image)))
-    step = validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION).step
-    data = image + _AFTER_IMAGE
-    objects: list[ObjectRead] = []
-    last = None
-    for number in range(count):
-        offset, owner, triggers, _ = PACKED_OBJECT.unpack_from(image, IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * number)
-        offset = offset or at
-        start = at
-        if kind_of(owner, triggers) is ObjectKind.SUBCALL:
-            if offset < at:
-                objects.append(ObjectRead(offset, None, at))
-                continue
-            at = _table_end(data, at)
-        is_ended = False
-        while at < stated and not is_ended:
-            last = at
-            is_ended = data[at] == OBJECT_END
-            found = step(data, at, stated)
+    way = _Way(image, stated, validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION))
+    for offset, owner, triggers, _ in PACKED_OBJECT.iter_unpack(image[IMAGE_HEADER_SIZE:table_end]):
+        reason = way.read(offset or way.at, is_subcall=kind_of(owner, triggers) is ObjectKind.SUBCALL)
+        if reason is not None:
+            return Walk(False, way.at, REASONS[reason], tuple(way.objects))
+    if way.at != stated and way.last is not None:
+        reason = Reason.CUT_OFF if way.at > stated else Reason.AFTER_END
+        return Walk(False, way.last, REASONS[reason], tuple(way.objects))
+    return Walk(True, VERSION_AT if version in OLD_VERSIONS else None, None, tuple(way.objects))
+
+
+class _Way:
+    """The way of the validator through an image.
+
+    at       where it is
+    last     the last operation that it has read, None for none
+    objects  the bytes that it has read for each object
+    """
+
+    def __init__(self, image: bytes, stated: int, validator: Validator) -> None:
+        self._data = image + _AFTER_IMAGE
+        self._stated = stated
+        self._step = validator.step
+        self.at = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * PACKED_HEADER.unpack_from(image, SIZE_AT)[2]
+        self.last: int | None = None
+        self.objects: list[ObjectRead] = []
+
+    def read(self, offset: int, *, is_subcall: bool) -> Reason | None:
+        """Reads an object with the offset of its header; returns why it is refused."""
+        data, start, is_ended, reason = self._data, self.at, False, None
+        if is_subcall and offset < start:
+            self.objects.append(ObjectRead(offset, None, start))
+            return None
+        if is_subcall:
+            self.at = _table_end(data, start)
+        while self.at < self._stated and not is_ended and reason is None:
+            self.last = self.at
+            is_ended = data[self.at] == OBJECT_END
+            found = self._step(data, self.at, self._stated)
             if isinstance(found, Refusal):
-                objects.append(ObjectRead(offset, start, at))
-                return Walk(False, at, REASONS[found.reason], tuple(objects))
-            at = found
-        objects.append(ObjectRead(offset, start, at, is_ended))
-    if at != stated and last is not None:
-        return Walk(False, last, REASONS[Reason.CUT_OFF if at > stated else Reason.AFTER_END], tuple(objects))
-    return Walk(True, VERSION_AT if version in OLD_VERSIONS else None, None, tuple(objects))
+                reason = found.reason
+            else:
+                self.at = found
+        self.objects.append(ObjectRead(offset, start, self.at, is_ended and reason is None))
+        return reason
 
 
 def _table_end(data: bytes, at: int) -> int:

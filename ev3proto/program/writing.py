@@ -205,27 +205,25 @@ class Writer(OperationWriter):
 
     def _settings(self, code: ObjectCode) -> Iterator[str]:
         part = code.part
-        usual_triggers = 0 if code.word == ObjectKind.THREAD else 1
-        if part.owner:
-            yield f"{MARK} owner {part.owner}"
-        if part.triggers != usual_triggers:
-            yield f"{MARK} triggers {part.triggers}"
-        defects = self._program.defects
-        if defects.headers is not None:
-            yield f"{MARK} header {defects.headers[part.number - 1]}"
-        if defects.offsets is not None:
-            yield f"{MARK} offset {part.offset}"
-        if part.shares is not None:
-            yield f"{MARK} shares {part.shares}"
-        elif code.is_open:
-            yield f"{MARK} {OPEN}"
-        if self._locals_end != part.local_size:
-            yield f"{MARK} locals {part.local_size}"
-        if self.rules.shares and part.shares is None:
-            key = (part.owner, part.triggers, part.local_size, part.code)
-            if key in self._seen:
-                yield f"{MARK} {OWN}"
-            self._seen.setdefault(key, part.number)
+        headers, offsets = self._program.defects.headers, self._program.defects.offsets
+        settings = (
+            (part.owner != 0, f"owner {part.owner}"),
+            (part.triggers != (code.word != ObjectKind.THREAD), f"triggers {part.triggers}"),
+            (headers is not None, f"header {headers and headers[part.number - 1]}"),
+            (offsets is not None, f"offset {part.offset}"),
+            (part.shares is not None, f"shares {part.shares}"),
+            (part.shares is None and code.is_open, OPEN),
+            (self._locals_end != part.local_size, f"locals {part.local_size}"),
+            (self._is_own(part), OWN),
+        )
+        yield from (f"{MARK} {text}" for is_there, text in settings if is_there)
+
+    def _is_own(self, part: CodeObject) -> bool:
+        """Returns whether an object would share the code of an earlier one if its source did not say otherwise."""
+        if not self.rules.shares or part.shares is not None:
+            return False
+        key = (part.owner, part.triggers, part.local_size, part.code)
+        return self._seen.setdefault(key, part.number) != part.number
 
     def _declarations(self, code: ObjectCode) -> Iterator[str]:
         """Yields the declarations of parameters and locals, and remembers their names and their end."""
@@ -305,14 +303,13 @@ class Writer(OperationWriter):
         parameter = argument.parameter
         if argument.kind == JUMP or integer(value, self.rules) != argument.raw:
             return self.number(argument, str(value))
-        if parameter.enum is not None:
-            symbol = parameter.enum.name_of(value)
-            if symbol is not None and firmware_names().get(symbol) == value:
-                return symbol
-        elif parameter.type is Type.DATAF:
+        symbol = None if parameter.enum is None else parameter.enum.name_of(value)
+        if symbol is not None and firmware_names().get(symbol) == value:
+            return symbol
+        if parameter.type is Type.DATAF:
             # Other assemblers refuse an integer there, and ours warns about it.
-            return f"!{value}" if value else "0" if self.rules.long_floats else "0.0F"
-        elif parameter.name == OBJECT_PARAMETER and 0 < value <= len(self.names):
+            return f"!{value}" if value else _FLOAT_ZEROS[self.rules.long_floats]
+        if parameter.name == OBJECT_PARAMETER and 0 < value <= len(self.names):
             return self.names[value - 1]
         return str(value)
 
@@ -338,6 +335,10 @@ class Writer(OperationWriter):
         if name is not None and usual == argument.raw and (is_handle or not form.address):
             return f"@{name}" if is_handle else name
         return in_macro(argument, str(index) if index < 1 << 31 else f"0x{index:08X}")
+
+
+_FLOAT_ZEROS = {True: "0", False: "0.0F"}
+"""Zero as a float, by whether all floats are long."""
 
 
 def _declaration(variable: DeclaredVariable, name: str) -> str:
@@ -404,26 +405,34 @@ _RULES = {
 def rules_of(program: Program) -> Rules:
     """Returns the rules that fit a program best, by its jumps: those of LEGO's assembler, of EV3-G, or of EV3 Basic."""
     fits = dict.fromkeys(_RULES, 0)
-    for part in program.objects:
-        for step in part.operations if part.shares is None else ():
-            goal = goal_of(step)
-            if goal is None:
-                continue
-            argument = step.arguments[-1]
-            is_forwards = goal > step.offset
-            fits[OF_LEGO] += argument.encoding == "LC2"
-            fits[OF_EV3_G] += argument.raw == integer(int(argument.value), OF_EV3_G)
-            fits[OF_BASIC] += (
-                argument.encoding == "LC4" if is_forwards else (argument.raw == integer(int(argument.value), OF_BASIC))
-            )
+    for jump, is_forwards in _jumps(program):
+        for rules in fits:
+            fits[rules] += _fits(rules, jump, is_forwards)
     usual = OF_EV3_G if program.version in _EV3_G_VERSIONS else OF_LEGO
     best = max(fits.values())
     shares = any(part.shares is not None for part in program.objects)
-    if fits[usual] == best and not shares:
-        return usual
-    if fits[OF_BASIC] == best and program.version == RELEASE_VERSION:
-        return OF_BASIC
-    return OF_EV3_G if shares and fits[OF_EV3_G] == best else max(fits, key=lambda rules: fits[rules])
+    likely = ((usual, not shares), (OF_BASIC, program.version == RELEASE_VERSION), (OF_EV3_G, shares))
+    chosen = [rules for rules, is_likely in likely if is_likely and fits[rules] == best]
+    return next(iter(chosen), max(fits, key=lambda rules: fits[rules]))
+
+
+def _jumps(program: Program) -> Iterator[tuple[Argument, bool]]:
+    """Yields the jumps of a program, and whether they lead forwards."""
+    for part in program.objects:
+        for step in part.operations if part.shares is None else ():
+            goal = goal_of(step)
+            if goal is not None:
+                yield step.arguments[-1], goal > step.offset
+
+
+def _fits(rules: Rules, jump: Argument, is_forwards: bool) -> bool:
+    """Returns whether rules encode a jump in that way."""
+    encoding = _ENCODINGS.get((rules, is_forwards))
+    return jump.raw == integer(int(jump.value), rules) if encoding is None else jump.encoding == encoding
+
+
+_ENCODINGS = {(OF_LEGO, False): "LC2", (OF_LEGO, True): "LC2", (OF_BASIC, True): "LC4"}
+"""The encodings of jumps that do not depend on their distance, by whether they lead forwards."""
 
 
 # Variables for a compiled program: every index that is used gets a name. The declarations take exactly the memory that

@@ -382,14 +382,14 @@ def _without_repetitions(findings: Sequence[Finding]) -> tuple[list[Finding], li
 
 
 def _on_one_span(findings: list[Finding], excerpt: Excerpt, place: str) -> list[Line]:
-    """Returns the findings of one span, the worst first. Help that several of them share is given once."""
+    """Returns the findings of one span. Help that several of them share is given once."""
     first = findings[0]
     offset, length = first.offset, first.length
     lines = [Line([_mark(one), (f": {one.message}", Role.HEADING)], offset, length, one.code) for one in findings]
     about = " of ".join(filter(None, (first.parameter, first.operation)))
     where = f"offset {first.offset}{f', {about}' if about else ''}"
     arrow = [(f"{excerpt.margin}--> ", Role.ASIDE), (f"{place}, {where}" if place else where, Role.PLAIN)]
-    shown = excerpt.show(first, ROLES[first.severity])
+    shown = excerpt.show(first, ROLES[min([one.severity for one in findings], key=_WORST.index)])
     lines += [Line(spans, offset, length, first.code) for spans in (arrow, *shown)]
     helps: dict[str, str] = {}
     for finding in findings:

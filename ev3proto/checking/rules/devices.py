@@ -13,6 +13,7 @@ from ev3proto.checking.report import Finding
 from ev3proto.messages import DirectCommand
 from ev3proto.semantics.footprint import Footprint, Taken
 from ev3proto.tables.declaration import Effect
+from ev3proto.tables.encoding import TEXT
 from ev3proto.tables.sound import OWN_FOLDERS
 
 _LARGER = {"INPUT_READ": "INPUT_READSI", "INPUT_DEVICE.READY_PCT": "INPUT_DEVICE.READY_SI"}
@@ -66,9 +67,8 @@ def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]
         known = ports or ()
         idle = [port for port in known if port not in running]
         if operation.name in _DRIVES:
-            others = [running[port] for port in known if port in running]
-            other = next((one for one in others if one.name != operation.name), None)
-            if other is not None:
+            others = [running[port] for port in known if running.get(port, operation).name != operation.name]
+            for other in others[:1]:
                 parts = {"other": other.name, "at": other.start, "opcode": codes.opcode(other.name)}
                 yield operation.finding(codes.OTHER_DRIVE, **parts)
             chosen.update(dict.fromkeys(idle, operation))
@@ -80,18 +80,13 @@ def _other_drives(operations: list[tuple[CheckedOperation, list[MotorAt] | None]
 
 
 def _waits_for_files(operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
-    file: bytes | str | None = None
+    file = ""
     for operation in operations:
-        if operation.has(Effect.STARTS_SOUND):
-            values = [argument.value for argument in operation.arguments if argument.parameter.suffix]
-            file = values[0] if values and isinstance(values[0], str | bytes) else None
-        elif operation.has(Effect.ENDS_SOUND):
-            file = None
-        elif operation.has(Effect.AWAITS_SOUND) and file is not None:
-            name = file.decode("latin-1") if isinstance(file, bytes) else file
-            if not name.startswith(OWN_FOLDERS):
-                yield operation.finding(codes.MAY_WAIT_FOREVER, file=name)
-            file = None
+        if operation.has(Effect.AWAITS_SOUND) and file and not file.startswith(OWN_FOLDERS):
+            yield operation.finding(codes.MAY_WAIT_FOREVER, file=file)
+        if any(map(operation.has, (Effect.STARTS_SOUND, Effect.ENDS_SOUND, Effect.AWAITS_SOUND))):
+            files = [str(one.value) for one in operation.arguments if one.parameter.suffix and one.kind == TEXT]
+            file = next(iter(files), "")
 
 
 def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footprint]]) -> Iterator[Finding]:
@@ -103,7 +98,12 @@ def _partly_written(message: object, shared: list[tuple[CheckedOperation, Footpr
     taken = Taken((place.start, place.end) for _, place in shared)
     for operation, place in shared:
         first, end = place.start + 1, place.start + _FLOAT
-        is_byte = operation.name in _LARGER and place.facts.is_written and place.size == 1
-        if is_byte and not place.start % _FLOAT and end <= room and not taken.has_some_of(first, end):
+        if _may_be_float(operation, place) and end <= room and not taken.has_some_of(first, end):
             parts = {"first": first, "last": end - 1, "larger": _LARGER[operation.name]}
             yield operation.finding_of(codes.PARTLY_WRITTEN, place.argument, **parts)
+
+
+def _may_be_float(operation: CheckedOperation, place: Footprint) -> bool:
+    """Returns whether an operation writes a byte where the larger one of the two would write a float."""
+    is_byte = operation.name in _LARGER and place.facts.is_written and place.size == 1
+    return is_byte and not place.start % _FLOAT

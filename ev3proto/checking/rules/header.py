@@ -8,7 +8,7 @@ from ev3proto.checking import codes
 from ev3proto.checking.context import CheckContext
 from ev3proto.checking.report import Finding
 from ev3proto.checking.verdict import Reason
-from ev3proto.errors import counted
+from ev3proto.errors import Fault, counted
 from ev3proto.messages import DaisyCommand, DirectCommand, SystemCommand
 from ev3proto.schema.frame import frame_reader
 from ev3proto.schema.header import (
@@ -98,11 +98,10 @@ def check_system(context: CheckContext, command: SystemCommand) -> Iterator[Find
     if context.carrier not in (None, _USB) and (entry.bootloader or entry.usb_only):
         yield codes.WRONG_CARRIER.at(HEADER_SIZE, 1, owner=entry.name, carrier=context.carrier)
     yield from _answer(command, entry)
-    if context.fault is not None:
-        if not (context.is_length_wrong and context.fault.truncated):
-            yield _wrong_fields(context, entry)
-        return
-    yield from _fields(command, entry)
+    if context.own_fault is not None:
+        yield _wrong_fields(context, entry, context.own_fault)
+    elif context.fault is None:
+        yield from _fields(command, entry)
 
 
 def _unknown(context: CheckContext) -> Finding:
@@ -139,9 +138,7 @@ def _is_question(entry: SystemDeclaration) -> bool:
     )
 
 
-def _wrong_fields(context: CheckContext, entry: SystemDeclaration) -> Finding:
-    fault = context.fault
-    assert fault is not None
+def _wrong_fields(context: CheckContext, entry: SystemDeclaration, fault: Fault) -> Finding:
     start = min(fault.offset, context.end)
     expected = ", ".join(f"{field.name} ({field.kind.value})" for field in entry.request) or "nothing"
     return codes.WRONG_FIELDS.at(start, context.end - start, owner=entry.name, reason=fault.reason, expected=expected)
@@ -189,32 +186,28 @@ def _path(at: int, path: str, entry: SystemDeclaration) -> Iterator[Finding]:
         return
     folder, slash, rest = path.rpartition("/")
     name, dot, extension = rest.partition(".")
-    if entry.transfer != _OPENED or _lists(entry):
-        # The firmware splits only the paths of files that it opens.
-        limits: tuple[tuple[str, str, int, int], ...] = (("path", path, paths.WHOLE, 0),)
-    else:
-        start = len(folder + slash)
-        limits = (
-            ("path", path, paths.WHOLE, 0),
-            ("folder", folder + slash, paths.FOLDER, 0),
-            ("name", name, paths.NAME, start),
-            ("extension", dot + extension, paths.EXTENSION, start + len(name)),
-        )
-    excesses = [len(part) - room + 1 for _, part, room, _ in limits]
-    for (what, part, room, start), excess in zip(limits, excesses, strict=True):
-        if excess <= 0:
-            continue
+    start = len(folder + slash)
+    limits = (
+        ("path", len(path), paths.WHOLE, 0),
+        ("folder", start, paths.FOLDER, 0),
+        ("name", len(name), paths.NAME, start),
+        ("extension", len(dot + extension), paths.EXTENSION, start + len(name)),
+    )
+    # The firmware splits only the paths of files that it opens.
+    is_split = entry.transfer == _OPENED and not _lists(entry)
+    long = [one for one in limits[: None if is_split else 1] if one[1] >= one[2]]
+    over = {what: size - room + 1 for what, size, room, _ in long}
+    for what, size, room, start in long[:1]:
         # If the folder is also too long, shortening it fixes both.
-        folder_excess = excesses[1] if what == "path" and len(limits) > 1 else 0
+        is_folder = what == "path" and "folder" in over
         parts = {
             "part": what,
-            "characters": counted(len(part), "character"),
+            "characters": counted(size, "character"),
             "most": room - 1,
-            "what": "its folder" if folder_excess > 0 else "it",
-            "over": max(excess, folder_excess),
+            "what": "its folder" if is_folder else "it",
+            "over": max(over[what], over.get("folder", 0)),
         }
-        yield codes.REFUSED_PATH.at(at + start, len(part), owner=entry.name, name=_PATH, **parts)
-        return
+        yield codes.REFUSED_PATH.at(at + start, size, owner=entry.name, name=_PATH, **parts)
 
 
 def _mailbox(at: int, payload: bytes, name: str, entry: SystemDeclaration, field: str) -> Iterator[Finding]:
@@ -241,8 +234,8 @@ def _lists(entry: SystemDeclaration) -> bool:
 
 def check_daisy(context: CheckContext, command: DaisyCommand) -> Iterator[Finding]:
     """Checks a message between bricks."""
-    fault = context.fault
-    if fault is not None and not (context.is_length_wrong and fault.truncated):
+    fault = context.own_fault
+    if fault is not None:
         start = min(fault.offset, context.end)
         yield codes.UNKNOWN_DAISY.at(start, min(1, context.end - start), reason=fault.reason)
     most = REPORT_SIZES[0]

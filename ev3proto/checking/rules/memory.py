@@ -108,22 +108,11 @@ def _overlaps(used: list[Use], *, is_kept: bool) -> Iterator[Finding]:
     said: dict[tuple[tuple[object, ...], ...], Finding | None] = {}
     for _, group in groupby(used, lambda use: use[0].start):
         together = list(group)
-        # Up to a thousand arguments may take all bytes from their start on: the first one is enough.
-        open_from = size
-        for _, place in together:
-            if not place.facts.is_read:
-                continue
-            start = place.start
-            if place.most is None:
-                open_from = min(open_from, start)
-            else:
-                end = min(start + place.most, size)
-                results[start:end] = [None] * (end - start)
-        results[open_from:] = [None] * (size - open_from)
-        for use in together:
+        for place in [place for _, place in together if place.facts.is_read]:
+            start, end = place.start, min(_furthest(place), size)
+            results[start:end] = [None] * (end - start)
+        for use in [use for use in together if use[1].facts.is_written]:
             _, place = use
-            if not place.facts.is_written:
-                continue
             start, end = place.start, min(place.end, size)
             key, before = _identity(use), next(filter(None, results[start:end]), None)
             if before is not None:

@@ -94,24 +94,27 @@ class _Way:
 
     def dead_ends(self) -> Iterator[Finding]:
         """Yields findings about unreachable operations and endless loops; nothing if a jump's target is unknown."""
-        flow, end = self._flow, self._subject.end
-        if not flow.is_known or not self._operations:
+        if not self._flow.is_known or not self._operations:
             return
         yield from self._unreached()
+        endless = set(self._flow.operations) - self._leaving()
+        for operation in [one for one in self._operations if one.start in endless][:1]:
+            yield operation.finding(codes.ENDLESS, at=operation.start)
+
+    def _leaving(self) -> set[int]:
+        """Returns the offsets from which a way leads to the end."""
         back: dict[int, list[int]] = {}
-        for start, following in flow.following.items():
+        for start, following in self._flow.following.items():
             for target in following:
                 back.setdefault(target, []).append(start)
-        leaving, waiting = {end}, [end]
+        leaving: set[int] = set()
+        waiting = [self._subject.end]
         while waiting:
-            for start in back.get(waiting.pop(), ()):
-                if start not in leaving:
-                    leaving.add(start)
-                    waiting.append(start)
-        for operation in self._operations:
-            if operation.start in flow.operations and operation.start not in leaving:
-                yield operation.finding(codes.ENDLESS, at=operation.start)
-                return
+            at = waiting.pop()
+            if at not in leaving:
+                leaving.add(at)
+                waiting += back.get(at, ())
+        return leaving
 
     def _unreached(self) -> Iterator[Finding]:
         """Yields one finding for each row of unreachable operations."""
@@ -229,14 +232,13 @@ def check_refusals(context: CheckContext) -> Iterator[Finding]:
         yield from _never_run(context)
     if context.dialect == "official":
         yield from _newer(context)
-    fault = context.fault
     if context.verdict.spins:
         yield _spins(context)
-        if fault is not None and _faulty_start(context) == context.verdict.rejected_at:
+        if context.fault is not None and _faulty_start(context) == context.verdict.rejected_at:
             return
     # A frame that ends early, or has a wrong length, is reported elsewhere.
-    if fault is not None and context.end > COMMAND_HEADER_SIZE and not (context.is_length_wrong and fault.truncated):
-        yield _fault(context, fault)
+    if context.own_fault is not None and context.end > COMMAND_HEADER_SIZE:
+        yield _fault(context, context.own_fault)
 
 
 def _never_run(context: CheckContext) -> Iterator[Finding]:

@@ -22,7 +22,7 @@ def check_failures(context: CheckContext) -> Iterator[Finding]:
     if context.has_jumps:
         # The order is unknown.
         made = [role for operation in context.operations for role in _made_by(operation)]
-    may_fail = context.dialect == _OFFICIAL and Effect.FAILS in context.effects
+    may_fail = context.dialect == _OFFICIAL
     for operation in context.operations:
         if may_fail and operation.has(Effect.FAILS) and not operation.facts.declaration.is_newer:
             yield _failure(operation)

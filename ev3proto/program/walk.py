@@ -76,8 +76,8 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
         (HeaderReason.SMALL, stated < table_end),
         (HeaderReason.SHORT, len(image) < stated),
     )
-    for reason in [one for one, is_so in faults if is_so]:
-        return Walk(False, SIZE_AT, reason.value.format(stated=stated, count=count, size=len(image)))
+    for fault in [one for one, is_so in faults if is_so]:
+        return Walk(False, SIZE_AT, fault.value.format(stated=stated, count=count, size=len(image)))
     way = _Way(image, stated, validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION))
     for offset, owner, triggers, _ in PACKED_OBJECT.iter_unpack(image[IMAGE_HEADER_SIZE:table_end]):
         reason = way.read(offset or way.at, is_subcall=kind_of(owner, triggers) is ObjectKind.SUBCALL)

@@ -2314,10 +2314,11 @@ local OPERATIONS = {
         { { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
             { "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE, special = { [0] = "as compilers write" },
                 outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
-            { "BOXNAME", IN, STRING, "name of the mailbox" },
+            { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters", most = 49 },
             { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT,
                 outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
-            { "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string", element = "TYPE", elements = IN } } },
+            { "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string, of at most 249 characters", element = "TYPE",
+                elements = IN, most = 249 } } },
     { 0xDA, "MAILBOX_READ", "Reads the content of a mailbox and marks it read",
         { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
             { "LENGTH", IN, DATA8, "maximum number of bytes to read, ignored by the firmware", unit = "bytes" },
@@ -2910,7 +2911,8 @@ do
         local direction = row[3] == COUNT and row.elements or IN
         return made_late(function(number)
             local name = format("%s[%d]", list.name, number)
-            local one = { name, direction, type, any = row.any, reading = row.reading, field = declared, kind = kind }
+            local one = { name, direction, type, any = row.any, most = row.most, reading = row.reading, field = declared,
+                kind = kind }
             local element = ready_parameter(one, name)
             element.label, element.numbered, element.number, element.alignment = name, name, number + 1, 1
             return element
@@ -3454,7 +3456,7 @@ do
     end
 
     local function of_number(parameter, encoding, value)
-        if parameter.kind == TEXT_VALUE then return "NUMBER" end
+        if parameter.type == STRING then return "NUMBER" end
         if parameter.is_float then
             if value ~= value then return "NAN_FLOAT" end
             if encoding.is_long then return of_tables(parameter, value) end
@@ -3479,7 +3481,7 @@ do
             return "WRITTEN"
         elseif kind ~= CONSTANT_TEXT then
             return of_number(parameter, encoding, value)
-        elseif parameter.kind ~= TEXT_VALUE and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
+        elseif sort ~= STRING and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
             return "TEXT"
         elseif parameter.most and #value > parameter.most then
             return "LONG"
@@ -6380,4 +6382,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 6d5dcba58452136d
+-- Checksum of the lines above, by which a changed file is recognised: 646ca78de5e4b8ea

@@ -1702,9 +1702,9 @@ export declare const ops: {
    * Sends values to a mailbox of another brick, Bluetooth only
    * @param BRICKNAME name of the other brick, empty: all connected ones
    * @param HARDWARE read by the firmware and never used (0: as compilers write; a member of HWTYPE)
-   * @param BOXNAME name of the mailbox
+   * @param BOXNAME name of the mailbox, at most 49 characters (at most 49 characters)
    * @param TYPE type of the values (a member of DATA_FORMAT)
-   * @param VALUES number of values of TYPE follow; exactly one for a string
+   * @param VALUES number of values of TYPE follow; exactly one for a string, of at most 249 characters
    */
   MAILBOX_WRITE(BRICKNAME: Text, HARDWARE: Value, BOXNAME: Text, TYPE: Value, VALUES: readonly Any[]): Uint8Array;
   /**

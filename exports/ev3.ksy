@@ -4317,11 +4317,11 @@ types:
       - id: hardware
         type: argument(false)
         doc: "read by the firmware and never used (0: as compilers write; a member of HWTYPE)"
-      - {id: boxname, type: argument(false), doc: name of the mailbox}
+      - {id: boxname, type: argument(false), doc: "name of the mailbox, at most 49 characters (at most 49 characters)"}
       - {id: type_, type: argument(false), doc: type of the values (a member of DATA_FORMAT)}
       - id: values_count
         type: argument(false)
-        doc: "number of values of TYPE follow; exactly one for a string (each is what TYPE says)"
+        doc: "number of values of TYPE follow; exactly one for a string, of at most 249 characters (at most 249 characters; each is what TYPE says)"
       - id: values
         type: "argument(type_.is_number and (type_.value == 3 or type_.value == 19))"
         repeat: expr

@@ -3694,9 +3694,10 @@ enum {
      * Sends values to a mailbox of another brick, Bluetooth only
      *   BRICKNAME  string  name of the other brick, empty: all connected ones
      *   HARDWARE   DATA8   read by the firmware and never used (0: as compilers write; a member of HWTYPE)
-     *   BOXNAME    string  name of the mailbox
+     *   BOXNAME    string  name of the mailbox, at most 49 characters (at most 49 characters)
      *   TYPE       DATA8   type of the values (a member of DATA_FORMAT)
-     *   VALUES     count   number of values of TYPE follow; exactly one for a string (each is what TYPE says)
+     *   VALUES     count   number of values of TYPE follow; exactly one for a string, of at most 249 characters (at
+     *       most 249 characters; each is what TYPE says)
      */
     opMAILBOX_WRITE = 0xD9,
 

@@ -681,9 +681,10 @@ def mailbox_write(
     Args:
         brickname: Name of the other brick, empty: all connected ones; string.
         hardware: Read by the firmware and never used; 0: as compilers write; a member of HWTYPE; DATA8.
-        boxname: Name of the mailbox; string.
+        boxname: Name of the mailbox, at most 49 characters; at most 49 characters; string.
         type: Type of the values; a member of DATA_FORMAT; DATA8.
-        values: Number of values of TYPE follow; exactly one for a string; a list, of the type in type.
+        values: Number of values of TYPE follow; exactly one for a string, of at most 249 characters; at most 249
+            characters; a list, of the type in type.
         unchecked: Accept values that mean nothing to the brick, as far as they can be encoded.
     """
     return _OPERATIONS["MAILBOX_WRITE"].draft((brickname, hardware, boxname, type, values), unchecked)

@@ -19,6 +19,7 @@ from ev3proto.tables.declaration import (
     Out,
 )
 from ev3proto.tables.enumerations import BTTYPE, DATA_FORMAT, ENCRYPT, FILETYPE, HWTYPE, RESULT
+from ev3proto.tables.mailboxes import MOST_CONTENT, MOST_NAME
 
 FIRST_BYTE = "a zero-terminated string, whose first byte other tables show as DATA8"
 WRITTEN = "written by the firmware, though other tables call it an input"
@@ -59,7 +60,9 @@ LIST_TYPE = Out(
 IS_ACTIVE = Out("ACTIVE", DATA8, "whether it is on", range=(0, 1), special=OFF_ON)
 ACTIVE = In("ACTIVE", DATA8, "whether to switch it on", range=(0, 1), special=OFF_ON)
 BOX_NO = In("NO", DATA8, "number of the mailbox on this brick", range=(0, 29))
-BOX_NAME = In("BOXNAME", STRING, "name of the mailbox", note=FIRST_BYTE)
+BOX_NAME = In(
+    "BOXNAME", STRING, f"name of the mailbox, at most {MOST_NAME} characters", note=FIRST_BYTE, most=MOST_NAME + 1
+)
 REMOTE_NAME = In("REMOTE_NAME", STRING, "name of the other device or network")
 # The firmware reads these four and ignores them; their names are as vague.
 UNUSED = (
@@ -484,10 +487,10 @@ COM = (
     Opcode(
         0xD8,
         "MAILBOX_OPEN",
-        "Opens a mailbox on this brick, at most 250 bytes of content",
+        f"Opens a mailbox on this brick, at most {MOST_CONTENT} bytes of content",
         (
             BOX_NO,
-            In("BOXNAME", STRING, "name of the mailbox, at most 49 characters", note=FIRST_BYTE, most=50),
+            BOX_NAME,
             In("TYPES", DATA8, "type of its values", enum=DATA_FORMAT),
             In("FIFOSIZE", DATA8, "depth of the queue, ignored by the firmware"),
             In("VALUES", DATA8, "number of values, ignored by the firmware"),
@@ -509,7 +512,13 @@ COM = (
             ),
             BOX_NAME,
             In("TYPE", DATA8, "type of the values", enum=DATA_FORMAT),
-            Count("VALUES", "number of values of TYPE follow; exactly one for a string", "TYPE", each="value of TYPE"),
+            Count(
+                "VALUES",
+                f"number of values of TYPE follow; exactly one for a string, of at most {MOST_CONTENT - 1} characters",
+                "TYPE",
+                each="value of TYPE",
+                most=MOST_CONTENT,
+            ),
         ),
         effects=(Effect.SENDS_MESSAGES,),
     ),

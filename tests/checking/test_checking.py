@@ -470,6 +470,15 @@ def test_names_that_are_too_long() -> None:
     assert (only(frame).code, only(frame).help) == ("E502", "shorten it by 1")
 
 
+def test_mailboxes_have_limits() -> None:
+    def written(name: int, text: int) -> list[str]:
+        return codes(command(operation("MAILBOX_WRITE", "", 0, "n" * name, 4, 1, "t" * text)))
+
+    assert codes(command(operation("MAILBOX_OPEN", 0, "n" * 49, 4, 0, 0))) == written(49, 249) == []
+    assert codes(command(operation("MAILBOX_OPEN", 0, "n" * 50, 4, 0, 0))) == written(50, 249) == ["E502"]
+    assert written(49, 250) == ["E502"]
+
+
 # 6: the way through the code
 
 

@@ -221,6 +221,10 @@ def test_strategies(parameter: Parameter, declared: Constant) -> None:
 def test_dissector_words(tshark: Tshark) -> None:
     """The dissector says of each what `check` says."""
     frames = [constant.frame for constant, _ in cases() if constant.dialect == "official"]
+    # Values whose type is in another argument, from DATA_8 to DATA_S.
+    for number, sent in enumerate((1, 1000, 100_000, 0.5, "text", "t" * 250)):
+        written = ev3proto.operation("MAILBOX_WRITE", "", 0, "box", min(number, 4), 1, sent)
+        frames.append(ev3proto.direct_command(written).build())
     capture = Capture(RAW_IP)
     connection = Connection(capture)
     connection.send(UNLOCK)

@@ -106,6 +106,7 @@ def test_what_cannot_be_encoded_is_refused_by_name() -> None:
         [
             "ops.SOUND.TONE(300, 440, 1000)",
             "ops.UI_READ.GET_VBATT(1)",
+            "ops.INPUT_DEVICE.READY_SI(0, 1, 0, 0, GV(0))",
             "ops.COM_SET.SET_BRICKNAME('Ωmega')",
             "GV(-1).bytes",
             "directCommand([], { globals: 1024 })",
@@ -114,6 +115,7 @@ def test_what_cannot_be_encoded_is_refused_by_name() -> None:
     ) == [
         "RangeError: VOLUME: 300 is not a whole number from -127 to 127",
         "TypeError: VALUE is an output: give GV(0), LV(0), or another variable",
+        "TypeError: VALUES is a list: give an array",
         'RangeError: NAME: "Ωmega" has a character that the brick lacks: code 937',
         "RangeError: -1 is not an index",
         "RangeError: globals: 1024 is not a whole number from 0 to 1023",

@@ -82,7 +82,10 @@ const output = (name, value) => {
   if (!(value instanceof Argument)) throw new TypeError(`${name} is an output: give GV(0), LV(0), or another variable`);
   return value;
 };
-const list = (name, values, kind) => [LC(values.length), ...values.map((value) => kind(name, value))];
+const list = (name, values, kind) => {
+  if (!Array.isArray(values)) throw new TypeError(`${name} is a list: give an array`);
+  return [LC(values.length), ...values.map((value) => kind(name, value))];
+};
 
 const operation = (opcode, ...parts) => Uint8Array.from([opcode, ...parts.flat().flatMap((part) => [...part.bytes])]);
 

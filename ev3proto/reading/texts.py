@@ -15,6 +15,7 @@ from ev3proto.reading.given import Given
 from ev3proto.reading.items import Problem, ProblemCode, Source
 from ev3proto.reading.kinds import introduction
 from ev3proto.reading.options import HOW_FRAMES_ARE_WRITTEN, Options, Sources
+from ev3proto.schema.header import frame_size
 from ev3proto.text.paste import Pasted, read_argument, read_bare, read_text
 
 _MOST_LABEL = 60
@@ -60,7 +61,7 @@ class TextReader:
             yield from self.lines(lines if sources is Sources.FIRST else [text])
             return
         pasted = None if sources is Sources.FIRST else read_argument(text)
-        if pasted is None or not pasted.data:
+        if pasted is None or not pasted.data or _is_call(text, pasted.data):
             line = "".join([*introduction(iter(lines))][-1:]).strip()
             source = self._source(line)
             if source is not None:
@@ -196,6 +197,11 @@ class TextReader:
                     yield Problem(place, ProblemCode.SOURCE, str(error))
         except RecordError as error:
             yield Problem(Place(label, error.line, error.column), ProblemCode.SOURCE, str(error))
+
+
+def _is_call(text: str, data: bytes) -> bool:
+    """Whether a text is an operation, although some of its letters are digits of hex: INFO(GET_VOLUME, GV0(0))."""
+    return "(" in text and frame_size(data) != len(data) and looks_like_assembly(text.strip())
 
 
 def _is_record(line: str) -> bool:

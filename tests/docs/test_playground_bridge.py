@@ -15,6 +15,7 @@ import pytest
 from playground import bridge
 from playground.bridge.connection import PATIENCE
 from playground.bridge.real_brick import RealBrick
+from support.cli import run_ev3proto_text
 from support.effort import effort
 from support.frames import drawn
 from support.scripts import PLAYGROUND
@@ -431,6 +432,40 @@ def test_what_is_wrong_is_said_once() -> None:
         lines = ["".join(piece[0] for piece in line) for block in answer["findings"] for line in block["lines"]]
         assert [line for line in lines if "the brick" in line or "did you mean" in line or "accepted" in line] == []
         assert [block["codes"] for block in answer["findings"]] == ([["E102"]] if "0F" in text else [])
+
+
+LOG = f"Sent {BATTERY}\nRecv 07 00 2A 00 02 66 66 F6 40\nSent 0x|0A:00|2B:00|00|04:00|81:01:60|\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "commands", "frames"),
+    [
+        (TONE, "takes", [True], 1),
+        (TONE.replace("0E", "0F"), "refuses", [False], 1),
+        ("6,0,42,0,128,0,0,1", "takes", [True], 1),
+        ("0x|08:00|2A:00|00|01:00|81:01:60|", "takes", [True], 1),
+        ("03 00 2A 00 04", "none", [], 1),
+        (LOG, "refuses", [True, False], 3),
+        (f"{BATTERY} {TONE}", "takes", [True, True], 2),
+        ("82 1B 02", "none", [], 0),
+        ("2A 00 02 66 66 F6 40", "none", [], 0),
+        ("http://192.168.0.1:5555", "none", [], 0),
+        ("Hello, how does a robot drive?", "none", [], 0),
+    ],
+)
+def test_the_command_line_says_the_same(text: str, kind: str, commands: list[bool], frames: int) -> None:
+    answer = read(text)
+    assert (answer["headline"]["kind"], answer["count"]) == (kind, frames)
+    checked = run_ev3proto_text("check", "--json", "-", stdin=text).stdout.splitlines()
+    assert [json.loads(line)["accepted"] for line in checked] == commands
+    assert len(run_ev3proto_text("decode", "--json", "-", stdin=text).stdout.splitlines()) == frames
+
+
+@pytest.mark.parametrize("text", ["OUTPUT_POWER(0, 16, 50)", "INFO(GET_VOLUME, GV0(0))", "ADD8(1, 2, GV0(0))"])
+def test_the_command_line_takes_the_same_operations(text: str) -> None:
+    """Values outside of a range are a warning of the check; letters of hex in a name are not bytes."""
+    assert read(text)["headline"]["kind"] == "takes"
+    assert json.loads(run_ev3proto_text("check", "--json", text).stdout)["accepted"]
 
 
 def opened(name: str, contents: bytes, expression: str = "") -> dict[str, Any]:

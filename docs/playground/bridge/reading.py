@@ -21,7 +21,7 @@ from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, S
 from ev3proto.reading.options import Options
 from ev3proto.reading.parts import Reading
 from ev3proto.text.assembly.errors import AssemblyError
-from ev3proto.text.assembly.recognising import OBJECT, is_assembly
+from ev3proto.text.assembly.recognising import OBJECT
 from ev3proto.text.paste import read_text
 
 from .charting import timeline
@@ -70,15 +70,13 @@ class Input:
         """Reads what was typed or pasted."""
         self._overview.text = text
         self._again = lambda: Given(TYPED, lines=text.splitlines(keepends=True))
-        # A single operation may look like bytes, too: INFO(GET_VOLUME, GV0(0)).
-        is_source = is_assembly(text.strip())
         is_short = len(text) <= MOST_BARE
-        pieces = list(read_text(text.splitlines())) if is_short and not is_source else []
+        pieces = list(read_text(text.splitlines())) if is_short else []
         self._bare = bare(text, pieces) if is_short else None
         if OBJECT.search(text):
             self._program_of(text, TYPED)
         elif self._bare is None and text.strip():
-            is_word = "\n" not in text.strip() and not is_source and len(pieces) < 2
+            is_word = "\n" not in text.strip() and len(pieces) < 2
             word = Given(TYPED, word=text.strip(), is_name=False)
             yield from self._read(word if is_word else Given(TYPED, lines=self._counted(text)))
         yield {"answer": self.answer()}
@@ -174,11 +172,11 @@ class Input:
             self._findings.frame(record.frame, number, place, line, carrier=carrier)
 
     def _source(self, source: Source) -> None:
-        """Reads assembly, or the source of a program."""
+        """Reads assembly, whose values are left to the check, or the source of a program."""
         if source.kind is SourceKind.PROGRAM:
             self._program_of(source.text, source.place.name)
             return
-        made = list(assembled(source))
+        made = list(assembled(source, unchecked=True))
         records = [item for item in made if isinstance(item, Record)]
         for number, record in enumerate(records, 1):
             self._frame(record, self._show(record), f"frame {number}" if len(records) > 1 else "", 0)

@@ -94,7 +94,8 @@ def read_argument(text: str) -> Pasted:
         found = [as_given(" ".join(lines))]
     first = found[0]
     if first.problem is None and not first.cut and not first.unknown and not is_flawless(first.data):
-        first = first._replace(problem=bare_reason(first.data))
+        reason = bare_reason(first.data)
+        first = first._replace(problem=reason, data=b"") if reason else first
     if len(found) == 1 or first.problem is not None:
         return first
     problem = f"contains {len(found)} frames; only the first was read (pass each as a separate argument)"

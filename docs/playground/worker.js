@@ -3,8 +3,8 @@
 import { isPrepared, start } from "./boot.js";
 import { Lack } from "./loads.js";
 
-/** Milliseconds between two steps of the bricks' clock: while something happens on them, and while nothing does. */
-const PERIOD = 50, REST = 1000;
+/** Milliseconds between two steps of the bricks' clock, while something happens on them. */
+const PERIOD = 50;
 
 /** @param {unknown} message */
 const say = (message) => postMessage(message);
@@ -32,14 +32,14 @@ const begin = async (saveData) => {
 let timer;
 let before = 0;
 
-/** Lets the time pass, again and again. @param {import("./boot.js").Started} python */
+/** Lets the time pass, again and again until nothing happens any more. @param {import("./boot.js").Started} python */
 const beat = (python, now = performance.now()) => {
   const { bridge } = python, news = bridge.tick((now - before) / 1000);
   before = now;
   if (news) say({ brick: JSON.parse(news) });
   bridge.turn();
   clearTimeout(timer);
-  timer = setTimeout(() => beat(python), bridge.rests() ? REST : PERIOD);
+  if (!bridge.rests()) timer = setTimeout(() => beat(python), PERIOD);
 };
 
 /** @param {string} frame */
@@ -80,6 +80,7 @@ onmessage = async ({ data: { saveData, number, call, given, isFollowed } }) => {
   const more = call === "connect" ? [carry, hear] : [];
   try {
     if (!isPrepared(call)) await packages;
+    beat(python);
     say({ number, answer: isFollowed ? await followed(python, number, call, given) : JSON.parse(bridge[call](...given, ...more)) });
     beat(python);
   } catch (error) {

@@ -10,6 +10,7 @@ import re
 import struct
 import subprocess
 import sys
+import time
 import zlib
 from collections.abc import Iterator
 from contextlib import suppress
@@ -538,6 +539,40 @@ def test_a_running_program_is_said_and_can_be_stopped(page: Page) -> None:
     # Programs have bytes, too.
     page.browser.find_element(By.XPATH, "//*[@id='tree']//*[text()='UI_WRITE']").find_element(By.XPATH, "..").click()
     page.wait(lambda: page.texts("#bytes .chosen")[:2] == ["82", "1B"])
+
+
+def test_nothing_runs_while_nothing_happens(page: Page) -> None:
+    # After the last news the worker sleeps until it is asked; it may collect garbage once.
+    page.browser.find_element(By.XPATH, "//button[text()='A program that blinks']").click()
+    page.wait(lambda: "vmthread" in page.text("tree"))
+    page.click("send")
+    page.wait(lambda: page.is_shown("running"))
+    page.click("stop")
+    page.wait(lambda: not page.is_shown("running"))
+    page.wait(lambda: _seconds_of_workers(page, 2.5) < 0.0005)
+    # Its time has passed all the same.
+    page.type("OUTPUT_STEP_SPEED(0, A, 50, 0, 360, 0, 1)")
+    page.click("send")
+    page.wait(lambda: "50 %" in page.text("motors"))
+    page.wait(lambda: "50 %" not in page.text("motors"))
+
+
+def _seconds_of_workers(page: Page, during: float) -> float:
+    """Seconds for which the browser's workers use a processor, in some seconds from now."""
+
+    def used() -> int:
+        profile, sum_of_all = page.browser.capabilities["chrome"]["userDataDir"].encode(), 0
+        for thread in Path("/proc").glob("[0-9]*/task/[0-9]*"):
+            with suppress(OSError):  # it has ended
+                is_worker = (thread / "comm").read_text().startswith("DedicatedWorker")
+                if is_worker and profile in (thread / "cmdline").read_bytes():
+                    sum_of_all += int((thread / "schedstat").read_text().split()[0])
+        return sum_of_all
+
+    before = used()
+    assert before > 0
+    time.sleep(during)
+    return (used() - before) / 1e9
 
 
 # Files

@@ -13,7 +13,7 @@ from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.schema.header import frame_size
 
 MOST_STEP = 1.0
-"""Maximum seconds that the brick's clock advances per tick: a page that was asleep does not catch up."""
+"""Maximum seconds that the clock advances per tick while something happens: a page that slept does not catch up."""
 
 STRETCH = 0.02
 """Seconds that a command or program may run before the page gets its turn."""
@@ -37,7 +37,7 @@ class VirtualBrick:
 
     def tick(self, seconds: float) -> str:
         """Advances the brick's clock. Returns what is new on it as JSON; empty if nothing is."""
-        for _, reply in self._brick.advance_all(min(seconds, MOST_STEP)):
+        for _, reply in self._brick.advance_all(seconds if self.rests else min(seconds, MOST_STEP)):
             self._watcher.frame(self, reply, False)
         new = self._changes.take()
         brick = self._brick

@@ -332,10 +332,13 @@ export const showBrick = (front, more, send) => {
     }));
   };
   show.file = ({ path, contents }) => saveAs(path.slice(path.lastIndexOf("/") + 1), new Blob([bytesOf(contents)]));
-  setInterval(() => { if (facts && !document.hidden) list(folder); }, 2000);
+  let listing = 0;
+  addEventListener("focus", () => { if (facts) list(folder); });
 
   const take = (message) => {
     for (const [key, value] of Object.entries(message)) show[key]?.(value);
+    // What else happens may change the files.
+    if (!listing && !message.folder) listing = setTimeout(() => { listing = 0; list(folder); }, 2000);
   };
   return { take, silence };
 };

@@ -112,22 +112,43 @@ def _of_length(frame: bytes) -> Iterator[Edit]:
 
 
 def _of_order(frame: bytes) -> Iterator[Edit]:
-    counter, end = LENGTH_FIELD, COMMAND_HEADER_SIZE
-    for at, size, kinds, said in _ORDERS:
-        moved = frame[at : at + size]
-        first, last = (TYPE_AT, end) if at > counter else (counter, TYPE_AT + size)
-        is_long = len(frame) > end if size == 1 else len(frame) >= last
-        if is_long and moved[0] in kinds and (size == 1 or moved[1] in SYSTEM_BY_NUMBER):
-            new = moved + frame[first:at] if at > counter else frame[at + size : last] + moved
-            yield Edit("header-order", first, last, new, (said,))
+    for given in _ORDERS:
+        right = sorted(given, key=list(_FIELDS).index)
+        form = "".join([_FIELDS[name] for name in given])
+        end = LENGTH_FIELD + struct.calcsize(form)
+        if len(frame) < end + ("memory" in given):
+            continue
+        fields = dict(zip(given, struct.unpack_from(form, frame, LENGTH_FIELD), strict=True))
+        if _is_header(fields, frame):
+            extra = 0.0 if fields["counter"][0] else _EVEN_COUNTER
+            new = b"".join([fields[name] for name in right])
+            yield Edit("header-order", LENGTH_FIELD, end, new, (", ".join(given), ", ".join(right)), extra)
 
 
+def _is_header(fields: dict[str, bytes], frame: bytes) -> bool:
+    """Returns whether fields in another order are a header: its memory, or else its type, is not there by chance."""
+    number, memory = fields["type"][0], fields.get("memory")
+    if memory is None:
+        return number in SYSTEM and fields["command"][0] in SYSTEM_BY_NUMBER
+    is_rare = number == MessageType.DIRECT_COMMAND_NO_REPLY or fields["counter"][0] > 0
+    if list(fields)[-1] != "memory":
+        is_unknown = frame[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY or frame[TYPE_AT] not in _COMMANDS
+        is_rare = is_rare and is_unknown and memory != frame[HEADER_SIZE:COMMAND_HEADER_SIZE]
+    return number in DIRECT and is_rare
+
+
+_FIELDS = {"counter": "2s", "type": "s", "memory": "2s", "command": "s"}
 _ORDERS = (
-    (COMMAND_HEADER_SIZE - 1, 1, DIRECT, "the type comes before the memory"),
-    (LENGTH_FIELD, 1, (MessageType.DIRECT_COMMAND_NO_REPLY,), "the counter comes before the type"),
-    (LENGTH_FIELD, 2, SYSTEM, "the counter comes before the type and the command"),
+    ("counter", "memory", "type"),
+    ("type", "counter", "memory"),
+    ("type", "memory", "counter"),
+    ("memory", "counter", "type"),
+    ("type", "command", "counter"),
+    ("type", "counter", "command"),
+    ("counter", "command", "type"),
 )
-"""Where a type may be, alone or with the number of a system command, instead of its place; what would be right."""
+"""Orders in which people give the fields of a header; `_FIELDS` has the right one."""
+_EVEN_COUNTER = 1.0  # the further cost of a counter whose low byte is zero
 
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:

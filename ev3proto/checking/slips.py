@@ -77,7 +77,7 @@ SLIPS = {
         "A5 00 01 8132 A6 00 01", "0D00 0000 80 0000 A5 00 01 8132 A6 00 01"),
     "header-short": Slip(5, "a byte of the header is missing",
         "0400 01 01 9D", "0400 0100 01 9D"),
-    "header-order": Slip(3.5, "the fields of the header are in another order: {0}",
+    "header-order": Slip(3.5, "the fields of the header are in another order: {0}; right is {1}",
         "0800 0100 0400 00 81 01 60", _BATTERY),
     "decimals": Slip(2.5, "0x is forgotten: the digits of hex were taken for decimals, so that {0} became {1}",
         "0E00 0100 50 0000 5E 01 02 52E803 52F401", _TONE),

@@ -28,15 +28,8 @@ class Faults:
     def of(self, record: Record, *, is_text: bool = True) -> Problem | None:
         """Returns what is wrong with a frame, unless it was cut off: of the bytes in a text, also what was meant."""
         message, place = record.message, record.place
-        fault = record.fault
-        if fault is not None:
-            named = advice(foreign(record.frame, frame_reader(self._dialect)))
-            said = f"{named}; " if named else ""
-            meant = [f"; did you mean: {one.message}?" for one in self._meant(message)] if is_text else []
-            place = place._replace(offset=fault.offset)
-            return Problem(place, ProblemCode.FAULT, f"{said}fault at {fault}{''.join(meant)}")
-        if not is_text or record.missing:
-            return None
+        if record.fault is not None or not is_text or record.missing:
+            return self._fault(record, is_text=is_text)
         if record.is_from_brick and record.seen.direction is None:
             # A command without its counter is a reply by its type.
             for one in self._meant(message):
@@ -47,6 +40,15 @@ class Faults:
             return None
         said = f"offset {never.offset}: opcode 0x{never.opcode:02X} is {never.name}, which the brick refuses"
         return Problem(place._replace(offset=never.offset), ProblemCode.FAULT, f"{said}; `ev3proto check` says more")
+
+    def _fault(self, record: Record, *, is_text: bool) -> Problem | None:
+        fault = record.fault
+        if fault is None:
+            return None
+        named = advice(foreign(record.frame, frame_reader(self._dialect)))
+        meant = [f"; did you mean: {one.message}?" for one in self._meant(record.message)] if is_text else []
+        sentence = f"{f'{named}; ' if named else ''}fault at {fault}{''.join(meant)}"
+        return Problem(record.place._replace(offset=fault.offset), ProblemCode.FAULT, sentence)
 
     def _meant(self, message: Message) -> tuple[Suggestion, ...]:
         """Returns what was probably meant by a frame that has a fault, or is not the reply that it seems to be."""

@@ -13,7 +13,8 @@ from ev3proto.text.spans import visible
 Readable: TypeAlias = str | bytes | os.PathLike[str] | IO[str] | IO[bytes] | Iterable[str]
 """What `ev3proto.read` takes."""
 
-_PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
+PATH = re.compile(r"[^()'\"|{}]*(/[^()'\"|{}]*|\w\.[a-z]\w{0,9})", re.IGNORECASE)
+"""A word with a folder or a suffix, like the name of a file."""
 _MOST_QUOTED = 60
 
 SOURCE_SUFFIX = ".lms"
@@ -53,14 +54,14 @@ class Given(NamedTuple):
         return self.path is not None and self.path.suffix.lower() == SOURCE_SUFFIX
 
     @property
-    def quoted(self) -> str:
-        """A word in quotes, for problems."""
-        return f"{self.word[:_MOST_QUOTED]!r}" if self.word is not None and self.is_name else self.label
+    def name(self) -> str | None:
+        """The word, if it may be the name of a file instead of a text."""
+        return self.word if self.is_name else None
 
     @property
-    def looks_like_a_path(self) -> bool:
-        """Whether a word has a folder or a suffix, like the name of a file."""
-        return self.word is not None and _PATH.fullmatch(self.word) is not None
+    def quoted(self) -> str:
+        """A word in quotes, for problems."""
+        return self.label if self.name is None else f"{self.name[:_MOST_QUOTED]!r}"
 
 
 def given_word(text: str) -> Given:

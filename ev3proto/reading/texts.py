@@ -11,7 +11,7 @@ from itertools import chain, islice
 from ev3proto.capture.record import Place, Record
 from ev3proto.capture.text_log import TextLog
 from ev3proto.checking.report import Severity
-from ev3proto.reading.given import Given
+from ev3proto.reading.given import PATH, Given
 from ev3proto.reading.items import Problem, ProblemCode, Source
 from ev3proto.reading.kinds import introduction
 from ev3proto.reading.options import HOW_FRAMES_ARE_WRITTEN, Options, Sources
@@ -61,7 +61,7 @@ class TextReader:
             yield from self.lines(lines if sources is Sources.FIRST else [text])
             return
         pasted = None if sources is Sources.FIRST else read_argument(text)
-        if pasted is None or not pasted.data or _is_call(text, pasted.data):
+        if pasted is None or not _has_bytes(pasted, text):
             line = "".join([*introduction(iter(lines))][-1:]).strip()
             source = self._source(line)
             if source is not None:
@@ -132,13 +132,13 @@ class TextReader:
         if slip is not None:
             line = slip.line if slip.line > 1 or given.word is None else None
             place = place._replace(line=line, column=slip.column)
-        if given.word is None or pasted.data or not given.is_name:
+        if given.name is None or pasted.data:
             return Problem(place, ProblemCode.TEXT, pasted.reason or problem)
-        if given.looks_like_a_path:
-            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.word)
+        if PATH.fullmatch(given.name):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.name)
         reason = pasted.reason if place.column == 1 else problem
         sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
-        return Problem(place, ProblemCode.TEXT if given.word.strip() else ProblemCode.EMPTY, sentence)
+        return Problem(place, ProblemCode.TEXT if given.name.strip() else ProblemCode.EMPTY, sentence)
 
     def _without_summary(self, lines: Iterable[str]) -> Iterator[str]:
         """Yields the lines, but not those of the compressed log in a bug report of Android."""
@@ -199,9 +199,10 @@ class TextReader:
             yield Problem(Place(label, error.line, error.column), ProblemCode.SOURCE, str(error))
 
 
-def _is_call(text: str, data: bytes) -> bool:
-    """Whether a text is an operation, although some of its letters are digits of hex: INFO(GET_VOLUME, GV0(0))."""
-    return "(" in text and frame_size(data) != len(data) and looks_like_assembly(text.strip())
+def _has_bytes(pasted: Pasted, text: str) -> bool:
+    """Whether the bytes of a text are meant; those of INFO(GET_VOLUME, GV0(0)) are letters of an operation."""
+    data = pasted.data
+    return bool(data) and ("(" not in text or frame_size(data) == len(data) or not looks_like_assembly(text.strip()))
 
 
 def _is_record(line: str) -> bool:

@@ -128,8 +128,11 @@ def never_run(message: Message) -> Operation | None:
     return next((each for each in operations if Effect.NEVER_RUNS in each.schema.declaration.effects), None)
 
 
-def _runs(message: Message) -> bool:
-    """Returns whether a message is not a command that does nothing at all."""
+def _runs(frame: bytes, reader: FrameReader) -> bool:
+    """Returns whether a frame is flawless, and if it is a command, whether a brick runs all of it."""
+    if not is_flawless(frame, reader):
+        return False
+    message = reader.read_frame(frame)
     return not isinstance(message, DirectCommand) or (bool(message.operations) and never_run(message) is None)
 
 
@@ -245,12 +248,10 @@ def _bare(data: bytes, reader: FrameReader) -> Identity | None:
     if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
         return None
     found = [(Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))]
-    if data[TYPE_AT - LENGTH_FIELD] not in COMMAND_TYPES:
-        found.reverse()  # any bytes are a reply
-    for kind, frame in found:
-        if frame is not None and is_flawless(frame, reader) and _runs(reader.read_frame(frame)):
-            return Identity(kind, frame=frame)
-    return None
+    # Any bytes are a reply.
+    ordered = found if data[TYPE_AT - LENGTH_FIELD] in COMMAND_TYPES else found[::-1]
+    right = (Identity(kind, frame=frame) for kind, frame in ordered if frame is not None and _runs(frame, reader))
+    return next(right, None)
 
 
 _ROWS: tuple[Callable[[bytes, FrameReader], Identity | None], ...] = (

@@ -22,9 +22,8 @@ from ev3proto.text.paste import read_argument
 from ev3proto.text.phrases import MACROS, Seen, heading
 from ev3proto.text.spans import plain_text, visible
 
-from .about import about
 from .completing import completions
-from .explaining import explain
+from .explaining import about, explain
 from .outgoing import MOST_SENT
 from .reading import Input
 from .steps import Steps

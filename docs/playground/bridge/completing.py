@@ -72,15 +72,13 @@ _OPERATIONS = [
 
 def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
     """The hint and the names for the last argument of a call."""
-    matching = [each for each in _DECLARATIONS if each.name == opcode]
-    commands = [each for each in _DECLARATIONS if each.opcode.name == opcode and each.command]
+    commands = [(each.name, each) for each in _DECLARATIONS if each.opcode.name == opcode and each.command]
     if commands and len(given) == 1:
-        return "", [(each.command.name, f"{_signature(each)}  {each.text}") for each in commands if each.command]
-    if commands:
-        chosen = f"{opcode}.{given.pop(0).strip().upper()}"
-        matching = [each for each in commands if each.name == chosen]
-    if not matching or len(given) > len(matching[0].parameters):
+        return "", [(name.rpartition(".")[2], f"{_signature(each)}  {each.text}") for name, each in commands]
+    name = f"{opcode}.{given.pop(0).strip().upper()}" if commands else opcode
+    chosen = next((each for each in _DECLARATIONS if each.name == name), None)
+    if chosen is None or len(given) > len(chosen.parameters):
         return "", []
-    parameter = matching[0].parameters[len(given) - 1]
+    parameter = chosen.parameters[len(given) - 1]
     members = parameter.enum.members if parameter.enum else parameter.names
     return f"{parameter.name}: {comment(parameter)}", [(name, f"{name} = {number}") for name, number in members.items()]

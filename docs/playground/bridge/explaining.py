@@ -1,4 +1,4 @@
-"""What the words mean that the page shows: codes of `check`, encodings, parameters of operations."""
+"""What a frame says in words, and what the words mean: codes of `check`, encodings, parameters of operations."""
 
 from __future__ import annotations
 
@@ -6,16 +6,39 @@ import json
 
 from ev3proto.checking.codes import CODES
 from ev3proto.checking.program_codes import PROGRAM_CODES
+from ev3proto.dialogue import Exchange
 from ev3proto.program.checking import explained
+from ev3proto.schema.frame import parse
 from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES
 from ev3proto.tables.declaration import declarations
 from ev3proto.tables.encoding import ENCODING_TEXTS
-from ev3proto.text.spans import plain_text
+from ev3proto.text.byte_by_byte import byte_lines, header_parts
+from ev3proto.text.sentence import sentence
+from ev3proto.text.spans import plain_text, visible
 
 _PARAMETERS = {
     (each.name, parameter.name): parameter for each in declarations(OPCODES) for parameter in each.parameters
 }
+
+
+def about(frame: str) -> str:
+    """Returns what a frame says.
+
+    Args:
+        frame: The frame, in hex.
+
+    Returns:
+        JSON: `sentence`, `parts` (each with name, offset, length, text) and `bytes`, a line each.
+    """
+    message = parse(bytes.fromhex(frame), strict=False)
+    return json.dumps(
+        {
+            "sentence": visible(sentence(Exchange(message))),
+            "parts": [part._asdict() for part in header_parts(message)],
+            "bytes": [visible(line) for line in byte_lines(message)],
+        }
+    )
 
 
 def explain(word: str, operation: str = "") -> str:

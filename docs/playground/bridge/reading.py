@@ -49,7 +49,12 @@ FIRST = 0.3
 
 
 class Input:
-    """One input, and what is shown of it."""
+    """One input, and what is shown of it.
+
+    page     returns the page that has a frame, by its number: see `Pages.page`
+    made     returns the frames in a notation: see `Notations.made`
+    to_send  returns what is sent to a brick: see `Outgoing.answer`
+    """
 
     def __init__(self, wanted: Filter | None = None) -> None:
         self._wanted = wanted
@@ -59,6 +64,7 @@ class Input:
         self._complaints = Complaints()
         self._notations = Notations()
         self._outgoing = Outgoing()
+        self.page, self.made, self.to_send = self._pages.page, self._notations.made, self._outgoing.answer
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._bare: tuple[Headline, Proposal] | None = None
         self._reading = Reading([], Options())
@@ -244,18 +250,6 @@ class Input:
             "dialogues": 0 if count == 1 and overview.is_text else self._pages.dialogues,
             **self.page(0),
         }
-
-    def page(self, number: int) -> dict[str, Any]:
-        """Returns the page that has a frame, by its number: see `Pages.page`."""
-        return self._pages.page(number)
-
-    def made(self, form: str) -> str:
-        """Returns the frames in a notation, as far as they are shown."""
-        return self._notations.made(form)
-
-    def to_send(self) -> dict[str, Any]:
-        """Returns what is sent to a brick: see `Outgoing.answer`."""
-        return self._outgoing.answer()
 
     def proposals(self) -> list[dict[str, str]]:
         """Returns what can be done about the input, for JSON: the label of each button, and the text that it makes."""

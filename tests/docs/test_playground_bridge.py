@@ -311,6 +311,20 @@ def offered() -> list[str]:
             ["Add a header"],
         ),
         (
+            "165 0 1 129 50",
+            "A frame without its header: sets the speed of motor A to 50 %.",
+            "none",
+            HEADER_FIRST,
+            ["Add a header"],
+        ),
+        (
+            "08 00 2A 00 00 04 00 81 01 60 AA BB CC DD EE FF 11 22",
+            "Reads the battery voltage.",
+            "takes",
+            "The brick takes it, but it has an error: 8 bytes at the end are not part of the frame.",
+            ["Remove 8 bytes at byte 10"],
+        ),
+        (
             "A4 00 01 81 32\nA6 00 01\n",
             "A frame without its header: sets the power of motor A to 50 %, then starts motor A.",
             "none",

@@ -261,10 +261,12 @@ def _change_of_bytes(before: bytes, after: bytes) -> str:
         global_size, local_size = read_memory(after)
         return f"Request {_counted(global_size, 'byte')} of global and {local_size} of local memory"
     old = before[at:end]
-    if max(len(old), len(new)) > _MOST_BYTES:
-        return f"Change {_counted(max(len(old), len(new)), 'byte')} from byte {at} on"
+    count = max(len(old), len(new))
     if not old or not new:
-        return f"{'Insert' if new else 'Remove'} {spaced_hex(old or new)} at byte {at}"
+        named = spaced_hex(old or new) if count <= _MOST_BYTES else _counted(count, "byte")
+        return f"{'Insert' if new else 'Remove'} {named} at byte {at}"
+    if count > _MOST_BYTES:
+        return f"Change {_counted(count, 'byte')} from byte {at} on"
     return f"Change {spaced_hex(old)} at byte {at} to {spaced_hex(new)}"
 
 

@@ -16,6 +16,7 @@ from ev3proto.semantics.identify import Kind, identify
 from ev3proto.text.fixed_text import fix_text
 from ev3proto.text.forms import as_hex
 from ev3proto.text.paste import Pasted
+from ev3proto.text.paste.near import bytes_in
 
 from .completing import meant
 
@@ -24,6 +25,9 @@ MOST_LINES = 12
 
 _LETTERS = str.maketrans("OolI", "0011")
 """Letters that look like digits."""
+
+_LETTER = re.compile("[G-WYZg-wyz]")
+"""A letter that numbers in decimals and hex do not have."""
 
 _BETWEEN = re.compile(r"0[xX]|\\x|\W")
 """What may be between the bytes of a frame in hex."""
@@ -43,12 +47,15 @@ def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | Non
     data = _bytes_of(text)
     if data is None:
         frame = _bytes_of(text.translate(_LETTERS))
-        return None if frame is None or not _is_right(frame) else _known(Subject.LETTERS, "letters", b"", frame, text)
-    found = identify(data)
+        if frame is not None and _is_right(frame):
+            return _known(Subject.LETTERS, "letters", b"", frame, text)
+    if any(piece.problem for piece in pieces) and not ("\n" in text.strip() or _LETTER.search(text)):
+        data = bytes_in(text.strip())  # also of decimals
+    found = identify(data or b"")
     if found.frame is None or found.kind not in _BARE or any(map(_is_whole, pieces)):
         return None
     is_known = _is_reply(found.frame) or _is_right(found.frame)
-    return _known(_BARE[found.kind], _MISSING[found.kind], data, found.frame, text) if is_known else None
+    return _known(_BARE[found.kind], _MISSING[found.kind], data or b"", found.frame, text) if is_known else None
 
 
 def _is_whole(piece: Pasted) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 from ev3proto.errors import near_names
 from ev3proto.semantics.domain import comment
 from ev3proto.tables import OPCODES
-from ev3proto.tables.declaration import Declaration, declarations
+from ev3proto.tables.declaration import Declaration, Parameter, declarations
 
 MOST_COMPLETIONS = 10
 
@@ -65,6 +65,7 @@ def _signature(declaration: Declaration) -> str:
 
 
 _DECLARATIONS = list(declarations(OPCODES))
+_BY_NAME = {each.name: each for each in _DECLARATIONS}
 _OPERATIONS = [
     (each.name, f"{_signature(each)}  {each.text}") for each in sorted(_DECLARATIONS, key=lambda each: each.name)
 ]
@@ -72,13 +73,16 @@ _OPERATIONS = [
 
 def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
     """The hint and the names for the last argument of a call."""
-    commands = [(each.name, each) for each in _DECLARATIONS if each.opcode.name == opcode and each.command]
+    commands = [each for each in _DECLARATIONS if each.command and each.opcode.name == opcode]
     if commands and len(given) == 1:
-        return "", [(name.rpartition(".")[2], f"{_signature(each)}  {each.text}") for name, each in commands]
+        return "", [(each.name.rpartition(".")[2], f"{_signature(each)}  {each.text}") for each in commands]
     name = f"{opcode}.{given.pop(0).strip().upper()}" if commands else opcode
-    chosen = next((each for each in _DECLARATIONS if each.name == name), None)
+    chosen = _BY_NAME.get(name)
     if chosen is None or len(given) > len(chosen.parameters):
         return "", []
-    parameter = chosen.parameters[len(given) - 1]
+    return _values(chosen.parameters[len(given) - 1])
+
+
+def _values(parameter: Parameter) -> tuple[str, list[tuple[str, str]]]:
     members = parameter.enum.members if parameter.enum else parameter.names
     return f"{parameter.name}: {comment(parameter)}", [(name, f"{name} = {number}") for name, number in members.items()]

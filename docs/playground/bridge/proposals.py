@@ -44,18 +44,22 @@ def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | Non
         text: The text.
         pieces: What was read in it: with a whole frame, it is not one that lacks something.
     """
-    data = _bytes_of(text)
-    if data is None:
-        frame = _bytes_of(text.translate(_LETTERS))
-        if frame is not None and _is_right(frame):
-            return _known(Subject.LETTERS, "letters", b"", frame, text)
-    if any(piece.problem for piece in pieces) and not ("\n" in text.strip() or _LETTER.search(text)):
-        data = bytes_in(text.strip())  # also of decimals
-    found = identify(data or b"")
-    if found.frame is None or found.kind not in _BARE or any(map(_is_whole, pieces)):
+    if _bytes_of(text) is None and _is_right(frame := _bytes_of(text.translate(_LETTERS)) or b""):
+        return _known(Subject.LETTERS, "letters", b"", frame, text)
+    data = _bare_bytes(text, pieces)
+    found = identify(data)
+    if found.frame is None or found.kind not in _BARE or not (_is_reply(found.frame) or _is_right(found.frame)):
         return None
-    is_known = _is_reply(found.frame) or _is_right(found.frame)
-    return _known(_BARE[found.kind], _MISSING[found.kind], data or b"", found.frame, text) if is_known else None
+    return _known(_BARE[found.kind], _MISSING[found.kind], data, found.frame, text)
+
+
+def _bare_bytes(text: str, pieces: Sequence[Pasted]) -> bytes:
+    """Returns the bytes of a text without a whole frame, in hex or as decimals; empty for any other text."""
+    if any(map(_is_whole, pieces)):
+        return b""
+    is_line = "\n" not in text.strip() and not _LETTER.search(text)
+    is_wrong = any(piece.problem for piece in pieces)
+    return bytes_in(text.strip()) if is_line and is_wrong else _bytes_of(text) or b""
 
 
 def _is_whole(piece: Pasted) -> bool:

@@ -221,6 +221,7 @@ if (document.activeElement === document.body && !matchMedia("(pointer: coarse)")
 const preview = (text) => {
   const answer = state().isReady ? null : firstAnswer(text);
   document.body.classList.toggle("early", answer !== null && answer.lines.length > 0);
+  document.body.classList.toggle("brief", answer?.lines.length === 0);
   if (!answer) return;
   view(answer, false);
   change({ isStale: false });

@@ -7,7 +7,6 @@ those that were validated.
 
 from __future__ import annotations
 
-from enum import Enum
 from typing import NamedTuple
 
 from ev3proto.checking.verdict import OBJECT_END, Reason, Refusal, Validator, validator
@@ -25,14 +24,6 @@ _AFTER_IMAGE = bytes(256)
 """Zeros after the image, more than an operation can read beyond the end."""
 
 
-class HeaderReason(Enum):
-    """Why the header of a program is refused."""
-
-    SMALL = "the header states {stated} bytes, fewer than the headers of {count} objects take"
-    EMPTY = "the program has no objects"
-    SHORT = "the header states {stated} bytes; the image has {size}"
-
-
 REASONS = {
     Reason.OPCODE: "unknown opcode",
     Reason.RANGE: "its first constant is out of range",
@@ -45,12 +36,10 @@ REASONS = {
 
 
 class ObjectRead(NamedTuple):
-    """The bytes that the validator reads for an object."""
+    """Where the validator reads an object."""
 
     offset: int  # of the object's code: from its header, or the validator's position if that is 0
     start: int | None  # where it starts to read; None if it reads nothing
-    end: int  # where it stops
-    is_ended: bool = False  # whether it found an OBJECT_END
 
 
 class Walk(NamedTuple):
@@ -61,7 +50,7 @@ class Walk(NamedTuple):
     # but is accepted
     position: int | None = None
     reason: str | None = None  # why it refuses
-    objects: tuple[ObjectRead, ...] = ()  # the bytes read for each object, up to the refusal
+    objects: tuple[ObjectRead, ...] = ()  # those that it reads, up to the refusal
 
 
 def walk(image: bytes, dialect: str = "official") -> Walk:
@@ -72,12 +61,12 @@ def walk(image: bytes, dialect: str = "official") -> Walk:
     stated, version, count, _ = PACKED_HEADER.unpack_from(image, SIZE_AT)
     table_end = IMAGE_HEADER_SIZE + OBJECT_HEADER_SIZE * count
     faults = (
-        (HeaderReason.EMPTY, not count),
-        (HeaderReason.SMALL, stated < table_end),
-        (HeaderReason.SHORT, len(image) < stated),
+        (not count, "the program has no objects"),
+        (stated < table_end, f"the header states {stated} bytes, fewer than the headers of {count} objects take"),
+        (len(image) < stated, f"the header states {stated} bytes; the image has {len(image)}"),
     )
-    for fault in [one for one, is_so in faults if is_so]:
-        return Walk(False, SIZE_AT, fault.value.format(stated=stated, count=count, size=len(image)))
+    for fault in [words for is_so, words in faults if is_so]:
+        return Walk(False, SIZE_AT, fault)
     way = _Way(image, stated, validator(dialect, is_latest=RELEASE_VERSION < version <= DEFAULT_VERSION))
     for offset, owner, triggers, _ in PACKED_OBJECT.iter_unpack(image[IMAGE_HEADER_SIZE:table_end]):
         reason = way.read(offset or way.at, is_subcall=kind_of(owner, triggers) is ObjectKind.SUBCALL)
@@ -94,7 +83,7 @@ class _Way:
 
     at       where it is
     last     the last operation that it has read, None for none
-    objects  the bytes that it has read for each object
+    objects  those that it has read
     """
 
     def __init__(self, image: bytes, stated: int, validator: Validator) -> None:
@@ -107,22 +96,18 @@ class _Way:
 
     def read(self, offset: int, *, is_subcall: bool) -> Reason | None:
         """Reads an object with the offset of its header; returns why it is refused."""
-        data, start, is_ended, reason = self._data, self.at, False, None
-        if is_subcall and offset < start:
-            self.objects.append(ObjectRead(offset, None, start))
-            return None
-        if is_subcall:
-            self.at = _table_end(data, start)
-        while self.at < self._stated and not is_ended and reason is None:
+        data, is_nothing, is_ended = self._data, is_subcall and offset < self.at, False
+        self.objects.append(ObjectRead(offset, None if is_nothing else self.at))
+        if is_subcall and not is_nothing:
+            self.at = _table_end(data, self.at)
+        while self.at < self._stated and not (is_ended or is_nothing):
             self.last = self.at
             is_ended = data[self.at] == OBJECT_END
             found = self._step(data, self.at, self._stated)
             if isinstance(found, Refusal):
-                reason = found.reason
-            else:
-                self.at = found
-        self.objects.append(ObjectRead(offset, start, self.at, is_ended and reason is None))
-        return reason
+                return found.reason
+            self.at = found
+        return None
 
 
 def _table_end(data: bytes, at: int) -> int:

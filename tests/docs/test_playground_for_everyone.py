@@ -249,7 +249,7 @@ def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> Non
             assert not scrolls_sideways(browser)
             # The names of motors can be read.
             names = "return [...motors.querySelectorAll('select')].map((each) => each.clientWidth)"
-            assert min(page.run(names)) >= 60, width
+            assert min(page.run(names)) >= 100, width
             page.click("stop-motors")
             page.wait(lambda: "OUTPUT_STOP" in page.text("answer"))
     # It follows the window: with less room it is under the headline, with more beside the input again.

@@ -143,6 +143,7 @@ PLACES = (
     "return ['send', 'bytes', 'header', 'tree'].map((id) => document.getElementById(id).getBoundingClientRect().top)"
 )
 CONTENTS = "return ['bytes', 'header', 'tree'].map((id) => document.getElementById(id).innerHTML)"
+FIRST_PIXEL = "return [...document.getElementById('display').getContext('2d').getImageData(0, 0, 1, 1).data]"
 
 
 def test_nothing_moves_when_python_answers(visitor: tuple[Page, Line]) -> None:
@@ -154,6 +155,7 @@ def test_nothing_moves_when_python_answers(visitor: tuple[Page, Line]) -> None:
                 page.open("" if text is None else fragment(text), wait=False)
                 page.wait(lambda: page.text("verdict") == "It is being checked.")
                 before, contents = page.run(PLACES), page.run(CONTENTS)
+                assert page.run(FIRST_PIXEL) == [210, 217, 195, 255]  # an empty display, not a white one
                 line.held = set()
                 page.wait(lambda: page.is_ready and page.text("verdict") != "It is being checked.")
                 if text in (WRONG, SHORT, LONG):

@@ -123,6 +123,7 @@ export const showBrick = (front, more, send) => {
     }
     context.putImageData(image, 0, 0);
   };
+  show.display("");
   find("save").onclick = () => find("display").toBlob((blob) => saveAs("display.png", blob));
 
   // Light and buttons

@@ -2751,9 +2751,7 @@ local ev3_all = Proto("EV3_all", "EV3 (all of it)")
 
 local fields = {}
 
-for _, declared in pairs(field) do
-    fields[#fields + 1] = declared
-end
+for _, declared in pairs(field) do fields[#fields + 1] = declared end
 
 -- Whether the bytes of each frame are added as a field, for programs that read the output.
 local gives_bytes = false
@@ -2770,9 +2768,7 @@ do
 
     local function found(address, kind)
         local bytes = {}
-        for index = 1, kind.parts do
-            bytes[index] = format(kind.form, 0)
-        end
+        for index = 1, kind.parts do bytes[index] = format(kind.form, 0) end
         for index = 1, kind.parts do
             local value = 0
             for bit = 7, 0, -1 do
@@ -2973,9 +2969,7 @@ do
 
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
-    for _, dialect in ipairs(DIALECTS) do
-        INSTRUCTION_SETS[dialect] = {}
-    end
+    for _, dialect in ipairs(DIALECTS) do INSTRUCTION_SETS[dialect] = {} end
     for _, row in ipairs(OPERATIONS) do
         local operation = not row.commands and declare_operation(row[2], row[4])
         local operations = {}
@@ -3768,9 +3762,7 @@ do
             conversation.longest = math.max(longest or 0, now - times[commands[found]])
         end
         local command = commands[found]
-        for _ = 1, found do
-            table.remove(commands, 1)
-        end
+        for _ = 1, found do table.remove(commands, 1) end
         if #commands == 0 then conversation.waiting[key] = nil end
         return command, is_unsure
     end
@@ -3923,9 +3915,7 @@ do
         local count = math.min(reply_values.stated_length(parameter, stated, room), room)
         if count < 1 then return false end
         local list = {}
-        for index = 1, count do
-            list[index] = read(memory, start + (index - 1) * size)
-        end
+        for index = 1, count do list[index] = read(memory, start + (index - 1) * size) end
         output.value, output.size = list, count * size
         return true
     end
@@ -3995,9 +3985,7 @@ do
                 add(newest, ENCODING, range, steps[index + 1])
                 index = index + 2
             elseif declared == PORTS then
-                for _, port in ipairs(PORT_FIELDS) do
-                    add(newest, port, range, steps[index + 1])
-                end
+                for _, port in ipairs(PORT_FIELDS) do add(newest, port, range, steps[index + 1]) end
                 index = index + 2
             elseif not declared then
                 complain(newest, steps[index + 1], steps[index + 2])
@@ -4272,9 +4260,7 @@ do
         for _, list in pairs(by_name) do
             if list[2] then tell_apart(list, telling) end
         end
-        for _, output in ipairs(summary.outputs) do
-            output.telling = telling[output.at]
-        end
+        for _, output in ipairs(summary.outputs) do output.telling = telling[output.at] end
     end
 
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.
@@ -4375,9 +4361,7 @@ do
             local range = bytes_between(view, HEADER_SIZE + start, HEADER_SIZE + stop)
             local output = outputs[first]
             local item = add(view.item, field.answers, range, output.operation.name, nil, output.telling)
-            for index = first, last - 1 do
-                add_output(item, view, outputs[index])
-            end
+            for index = first, last - 1 do add_output(item, view, outputs[index]) end
             first = last
         end
     end
@@ -4776,16 +4760,14 @@ end
 -- Claims and Finding below decide which conversations are a brick's, and where frames start.
 local claiming, finding = {}, {}
 
--- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
+-- Each carrier below adds its dissectors, by Wireshark's type of ports, and a table: `register`, which registers them;
 -- `forget`, which drops the state of the last capture and begins each; optionally `prefs_changed`.
-local carriers = {}
+local dissectors, carriers = {}, {}
 
 -- Looking up these methods for each packet would take longer than calling them.
 local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
-local function is_command(type)
-    return type.is_command
-end
+local function is_command(type) return type.is_command end
 
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge
@@ -4844,9 +4826,7 @@ end
 
 -- Returns the offset after the polls at an offset: lengths of 0 between frames, which the brick ignores.
 local function after_polls(text, at)
-    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
-        at = at + LENGTH_FIELD
-    end
+    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do at = at + LENGTH_FIELD end
     return at
 end
 
@@ -5208,9 +5188,7 @@ do
             return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}
-        for index, start in ipairs(starts) do
-            places[index], is_begin[start] = start, true
-        end
+        for index, start in ipairs(starts) do places[index], is_begin[start] = start, true end
         for place in each_start(text, 0, accepts) do
             if not is_begin[place] then places[#places + 1] = place end
         end
@@ -5312,30 +5290,30 @@ do
         return after - 1, serial
     end
 
-    -- Adds bytes that are not a frame. Returns their item, nil without a tree.
-    local function add_bytes(tvb, at, stop, tree, brick, said, declared)
-        if not brick then return nil end
-        local range = tvb(at, stop - at)
-        local item = add_item(tree, range, brick, said)
+    -- Adds bytes that are not a frame. Returns their line, the offset after them, and their item, nil without a tree.
+    local function add_bytes(stream, at, stop, said, declared)
+        if not stream.brick then return said, stop end
+        local range = stream.tvb(at, stop - at)
+        local item = add_item(stream.tree, range, stream.brick, said)
         item:add(declared, range)
-        return item
+        return said, stop, item
     end
 
     -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
     -- zero of its answer, unless that zero is the start of a frame's length.
-    local function dissect_text(tvb, text, at, tree, brick)
+    local function dissect_text(stream, at)
+        local text = stream.text
         local after, serial = match_unlock(text, at)
         if after then
-            local item = add_bytes(tvb, at, after, tree, brick, "unlock " .. serial, field.unlock)
-            if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
+            local _, _, item = add_bytes(stream, at, after, "unlock " .. serial, field.unlock)
+            if item then item:add(field.unlock_serial, stream.tvb(at + #UNLOCK.request, #serial)) end
             return "unlock " .. serial, after
         end
         after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        add_bytes(tvb, at, after, tree, brick, "accepted", field.accept)
-        return "accepted", after
+        return add_bytes(stream, at, after, "accepted", field.accept)
     end
 
     -- Tells whether one of the texts may begin here and continue in the next segment.
@@ -5363,8 +5341,9 @@ do
         return stop == #text and after - 1 or nil
     end
 
-    local function add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
-        complain(add_bytes(tvb, at, stop, tree, brick, said, field.rest) or tree, kind, reason)
+    local function add_faulty(stream, at, stop, said, kind, reason)
+        local _, _, item = add_bytes(stream, at, stop, said, field.rest)
+        complain(item or stream.tree, kind, reason)
         return said, stop
     end
 
@@ -5391,12 +5370,12 @@ do
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_gap)
+    function streaming.add_no_frame(stream, at, stop, plain, left_over, is_gap)
         local said = plain and format("text, not a frame: %.60s", plain)
             or format("no frame (%s)", phrases.plural(stop - at, "byte"))
-        local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
-        local kind = is_cut and "cut_by_capture" or "no_boundary"
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_gap))
+        local is_cut = is_cut_by_capture(stream.tvb, stop, stream.pinfo) or stream.pinfo.number > first_cut
+        local reason = reason_of(reading.unsigned16(stream.text, at), plain, left_over, is_gap)
+        return add_faulty(stream, at, stop, said, is_cut and "cut_by_capture" or "no_boundary", reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -5422,12 +5401,13 @@ do
 
     -- Judges the bytes from an offset on: OURS for a frame that can be dissected, with what is wrong with its length;
     -- PART for one that has to wait, with the bytes it needs, if known, and the step of the stream; nil for no frame.
-    local function judge_frame(text, at, stream, step)
+    local function judge_frame(stream, at)
+        local text, step = stream.text, stream.step
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if LOST[step] then return nil end
         local sent = at < stream.joint and stream.sent
         if at == math.max(stream.joint, stream.start or 0) and stream.reported == #text then sent = #text end
-        local slip = finding.slip_of(text, at, sent, stream.is_last)
+        local slip = finding.slip_of(text, at, sent, stream.is_last or stream.joint + at == 0 and not stream.may_gap)
         if slip then return OURS, slip end
         if stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
@@ -5454,83 +5434,109 @@ do
         if conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
     end
 
-    -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
-    -- `stream` has
+    -- Each of these takes what is at an offset: its line and the offset after it; PART if it has to wait; nil if
+    -- something else is there.
+    local takers = {}
+
+    takers[1] = function(stream, at)
+        local text = stream.text
+        if not UNLOCK.starts[byte(text, at + 1)] then return nil end
+        local said, after = dissect_text(stream, at)
+        if not said then return not stream.is_last and is_part_of_text(text, at) and PART or nil end
+        stream.step = "text"
+        if stream.conversation then confirm(stream.conversation, text, at) end
+        return said, after
+    end
+
+    takers[2] = function(stream, at)
+        local after = LOST[stream.step] and at or after_polls(stream.text, at)
+        if after == at or after < #stream.text and not may_start(stream.text, after) then return nil end
+        return add_bytes(stream, at, after, "poll", field.padding)
+    end
+
+    takers[3] = function(stream, at)
+        local tvb, text, captured, pinfo = stream.tvb, stream.text, #stream.text, stream.pinfo
+        if at == stream.no_frame_at then return nil end
+        local verdict, detail, step = judge_frame(stream, at)
+        if verdict == PART then stream.wanted, stream.step = detail, step end
+        if verdict ~= OURS then return verdict end
+        if captured - at < HEADER_SIZE then
+            local kind = is_cut_by_capture(tvb, captured, pinfo) and "cut_by_capture" or "cut_off"
+            return add_faulty(stream, at, captured, "part of a frame", kind, "the frame is cut off in its header")
+        end
+        local after, place = math.min(stop_of(text, at), captured), storage.place_of(stream.number, tvb:offset() + at)
+        local message = messages.read_at(text, at)
+        message.slip = detail
+        -- The bytes after it in the packet are the rest of the next frame.
+        if detail then stream.no_frame_at = after end
+        if stream.step == "text" then stream.step = "sure" end
+        return dissect_message(tvb, at, message, stream.conversation, place, pinfo, stream.tree, stream.brick), after
+    end
+
+    takers[4] = function(stream, at)
+        local after = stream.step == "text" and end_of_text(stream.text, at)
+        if not after then return nil end
+        return add_bytes(stream, at, after, "end of the text before", field.rest)
+    end
+
+    -- Returns the plain text at an offset in a conversation that is a brick's for sure, if a frame may start there, up
+    -- to either of two offsets, and its end.
+    local function find_plain(stream, at, stop, after)
+        local place, conversation = storage.place_of(stream.number, stream.tvb:offset() + at), stream.conversation
+        if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
+        if LOST[stream.step] or not streaming.sure_places[place] then return nil, after end
+        local plain = plain_text(stream.text, at, stop)
+        return plain or plain_text(stream.text, at, after), plain and stop or after
+    end
+
+    -- Bytes that are in no frame; `is_open` tells whether more is needed to decide where they end.
+    takers[5] = function(stream, at)
+        local text, captured, was_lost, joint = stream.text, #stream.text, LOST[stream.step], stream.joint
+        -- After a frame in the same packet this is the sender's fault, and ends with the packet.
+        local is_after = at == stream.no_frame_at or not (was_lost or stream.may_gap) and at > 0 and at ~= joint
+        local stop = is_after and at < joint and joint or captured
+        local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
+        local found, is_open =
+            next_step(sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, joint)
+        local plain, after = find_plain(stream, at, stop, found)
+        stream.is_open = is_open and after == found
+        local is_gap = stream.may_gap or stream.step == "lost"
+        local is_sure = not stream.is_open and (after < captured or plain or is_after)
+        stream.step = is_sure and "sure" or is_gap and "lost" or "astray"
+        stream.lost = stream.lost + after - at
+        local said = after > at and streaming.add_no_frame(stream, at, after, plain, is_after and stop - at, is_gap)
+        return said, after
+    end
+
+    -- Dissects the frames and texts in a piece of a stream. Returns the offset after the last one that is whole, and
+    -- how many bytes the next one wants, nil if its length is not known yet. `stream` has `tvb`, `text`, `number`,
+    -- `conversation`, `pinfo`, `tree` and `brick`, and
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
     --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
-    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or "astray"
+    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or
+    --              "astray"; afterwards the step at the end
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
-    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
-        local at, captured, lost, start, step, no_frame_at = stream.start or 0, #text, 0, tvb:offset(), stream.step
-        while at < captured do
-            local said, after, verdict, wanted, step_then, is_open
-            if UNLOCK.starts[byte(text, at + 1)] then
-                said, after = dissect_text(tvb, text, at, tree, brick)
-                if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
-                if said then step = "text" end
-                if said and conversation then confirm(conversation, text, at) end
-            end
-            local polled = LOST[step] and at or after_polls(text, at)
-            if polled > at and (polled == captured or may_start(text, polled)) then
-                said, after = "poll", polled
-                add_bytes(tvb, at, after, tree, brick, said, field.padding)
-            end
-            if not said and at ~= no_frame_at then
-                verdict, wanted, step_then = judge_frame(text, at, stream, step)
-                if verdict == PART then return at, wanted, lost, step_then end
-            end
-            if verdict == OURS and captured - at < HEADER_SIZE then
-                local kind, reason = "cut_off", "the frame is cut off in its header"
-                if is_cut_by_capture(tvb, captured, pinfo) then kind = "cut_by_capture" end
-                said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
-            elseif verdict == OURS then
-                after = math.min(stop_of(text, at), captured)
-                local message, place = messages.read_at(text, at), storage.place_of(number, start + at)
-                message.slip = wanted
-                -- The bytes after it in the packet are the rest of the next frame.
-                if message.slip then no_frame_at = after end
-                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
-                step = step == "text" and "sure" or step
-            elseif not said then
-                after = step == "text" and end_of_text(text, at)
-                if after then
-                    said = "end of the text before"
-                    add_bytes(tvb, at, after, tree, brick, said, field.rest)
-                else
-                    -- After a frame in the same packet this is the sender's fault, and ends with the packet.
-                    local was_lost, place = LOST[step], storage.place_of(number, start + at)
-                    local is_after = at == no_frame_at
-                        or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
-                    local stop = is_after and at < stream.joint and stream.joint or captured
-                    local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
-                    local from, piece = was_lost and at or at + 1, sub(text, 1, stop)
-                    after, is_open = next_step(piece, from, stream.accepts, least, stream.first, stream.joint)
-                    if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
-                    local may_be_text = not was_lost and streaming.sure_places[place]
-                    local plain = may_be_text and plain_text(text, at, stop)
-                    if plain then after, is_open = stop, false end
-                    plain = plain or may_be_text and plain_text(text, at, after)
-                    local is_gap = stream.may_gap or step == "lost"
-                    local is_sure = not is_open and (after < captured or plain or is_after)
-                    step = is_sure and "sure" or is_gap and "lost" or "astray"
-                    if after > at then
-                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), pinfo, tree,
-                            brick, plain, is_after and stop - at, is_gap)
-                        lost = lost + after - at
-                    end
-                end
+    --   lost       afterwards: how many bytes are in no frame
+    function streaming.dissect(stream)
+        local at = stream.start or 0
+        stream.lost = 0
+        while at < #stream.text do
+            local said, after
+            for _, take in ipairs(takers) do
+                said, after = take(stream, at)
+                if said == PART then return at, stream.wanted end
+                if after then break end
             end
             if said then say(said) end
-            if is_open then return after, nil, lost, step end
             at = after
+            if stream.is_open then return at, nil end
         end
-        return at, 0, lost, step
+        return at, 0
     end
 end
 
@@ -5542,9 +5548,7 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    local function is_from_host(pinfo)
-        return pinfo.src_port == HOST
-    end
+    local function is_from_host(pinfo) return pinfo.src_port == HOST end
 
     -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
@@ -5564,9 +5568,7 @@ do
     -- The number of the last packet from or to a known brick, or a device that the user chose.
     local marked
 
-    local function forget_devices()
-        taken, marked = {}, nil
-    end
+    local function forget_devices() taken, marked = {}, nil end
 
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
@@ -5605,10 +5607,11 @@ do
     local function dissect_known(tvb, pinfo, tree)
         local captured, device = captured_len(tvb), device_key(pinfo)
         if pinfo.src_port == 0 or pinfo.dst_port == 0 or captured < HEADER_SIZE then return 0 end
-        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        if is_usual_length(length) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
+        local text = bytes_of(tvb, 0, LENGTH_FIELD)
+        if is_length(text, 0) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree) and device)))
+        local report = { tvb = tvb, text = text, pinfo = pinfo, tree = tree, brick = has_tree(tree) and device }
+        say((streaming.add_no_frame(report, 0, captured)))
         show(pinfo, tvb, tree)
         return captured
     end
@@ -5673,15 +5676,14 @@ do
 
     local function register()
         local products = DissectorTable.get("usb.product")
-        for _, product in ipairs(CARRIERS.usb_products) do
-            products:add(product, ev3)
-        end
+        for _, product in ipairs(CARRIERS.usb_products) do products:add(product, ev3) end
         products:add_for_decode_as(ev3_all)
         DissectorTable.get("usb.device"):add_for_decode_as(ev3_all)
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    carriers[#carriers + 1] = { dissectors = { [8] = mark_known }, forget = forget_devices, register = register }
+    dissectors[8] = mark_known
+    carriers[#carriers + 1] = { forget = forget_devices, register = register }
 end
 
 -- Bluetooth ---------------------------------------------------------------------------------------------------------
@@ -5697,9 +5699,7 @@ do
     -- All packets of a frame share its list; its `complete_in` is the packet with the last piece.
     local packets, streams
 
-    local function forget_streams()
-        packets, streams = {}, {}
-    end
+    local function forget_streams() packets, streams = {}, {} end
 
     -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
@@ -5878,20 +5878,21 @@ do
             end
             local joint, begun = before and #before or 0, pinfo.visited and packet.begun
             local state = {
-                reported = #text, step = packet.step or "likely", start = packet.start,
+                tvb = whole, text = text, conversation = conversation, number = number, pinfo = pinfo, tree = tree,
+                brick = brick, reported = #text, step = packet.step or "likely", start = packet.start,
                 is_last = missing > 0 or begun and not begun[2] and not begun.complete_in,
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step = streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
+            local after = streaming.dissect(state)
             size = #text - after
             if stream then
                 if size > 0 then
                     stream.left, stream.list = sub(text, after + 1), { number }
                     packet.begun = stream.list
                 end
-                stream.step = step
-                claiming.count(conversation, lost, number)
+                stream.step = state.step
+                claiming.count(conversation, state.lost, number)
                 if not claiming.is_claimed(conversation) then clear_sides(conversation) end
             end
         end
@@ -5911,7 +5912,8 @@ do
         channels:add_for_decode_as(ev3_all)
     end
 
-    carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }
+    dissectors[11] = dissect_rfcomm
+    carriers[#carriers + 1] = { forget = forget_streams, register = register }
 end
 
 -- WiFi --------------------------------------------------------------------------------------------------------------
@@ -5949,9 +5951,7 @@ do
 
     local function find_direction(ends, from, to)
         local known = connections[ends]
-        while known and (known.from ~= from or known.to ~= to) do
-            known = known.older
-        end
+        while known and (known.from ~= from or known.to ~= to) do known = known.older end
         return known
     end
 
@@ -6038,9 +6038,26 @@ do
             return step, joint, done
         end
 
+        -- A command with a wrong length is shown at once, as nothing more may come. If the next segment completes a
+        -- right one, they are joined here. Returns the buffer, its bytes, and how many of them came before.
+        local function join(known, tvb, text, place)
+            local held, buffer = known and known.held, buffers[place]
+            if known then known.held = nil end
+            if held and claiming.is_sensible(messages.read_at(held.text .. text, 0)) then
+                buffer, buffers[held.place] = { before = held.text }, { is_part = true }
+                buffers[place] = buffer
+            end
+            local before = buffer and buffer.before
+            if not before then return tvb, text, 0 end
+            return ByteArray.new(before .. text, true):tvb("EV3 frame"), before .. text, #before
+        end
+
         -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
-            local captured, offset = #text, offset_of(tvb)
+            local size, offset, earlier = #text, offset_of(tvb), nil
+            local place, whole = storage.place_of(number, offset), tvb
+            whole, text, earlier = join(known, tvb, text, place)
+            local captured = #text
             if known and known.claims ~= conversation.claims then
                 known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
@@ -6051,32 +6068,36 @@ do
             local lost = 0
             if step == "sure" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
-                local place = storage.place_of(number, offset)
-                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
+                say((dissect_message(whole, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
+            elseif buffers[place] and buffers[place].is_part then
+                say("part of a frame")
+                if brick then add_item(tree, tvb(), brick, "part of a frame"):add(field.fragment, tvb()) end
             else
-                local reported = tvb:reported_len()
+                local reported = whole:reported_len()
                 local named = conversation or connection_of(pinfo)
                 local is_sent = named.port == pinfo.dst_port and named.address == pinfo.dst
                 local stream = {
-                    reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
-                    start = done, joint = joint, sent = joint, first = 0,
+                    tvb = whole, text = text, conversation = conversation, number = number, pinfo = pinfo, tree = tree,
+                    brick = brick, reported = reported, is_last = captured < reported or pinfo.can_desegment == 0,
+                    step = step, start = done, joint = joint, sent = joint, first = 0,
                     accepts = is_sent and goes_to_brick or comes_from_brick,
                 }
-                local after, wanted
-                after, wanted, lost, step =
-                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
+                local after, wanted = streaming.dissect(stream)
+                lost = stream.lost
                 if after < captured then
-                    pinfo.desegment_offset = after
+                    pinfo.desegment_offset = after - earlier
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
-                    known.step, known.done = step, after
+                    known.step, known.done = stream.step, after
+                    local is_short = captured == reported and after == captured and (stop_of(text, 0) or 0) > captured
+                    known.held = is_short and { text = text, place = place } or nil
                 end
             end
             if known then claiming.count(conversation, lost, number) end
             show(pinfo, tvb, tree)
-            return captured
+            return size
         end
     end
 
@@ -6324,22 +6345,13 @@ do
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
     end
 
-    carriers[#carriers + 1] = {
-        dissectors = { [2] = dissect_tcp, [3] = dissect_udp }, forget = forget_wifi, register = register,
-        prefs_changed = follow_ports,
-    }
+    dissectors[2], dissectors[3] = dissect_tcp, dissect_udp
+    carriers[#carriers + 1] = { forget = forget_wifi, register = register, prefs_changed = follow_ports }
 end
 
 -- Registration ------------------------------------------------------------------------------------------------------
 
 do
-    local dissectors = {}
-    for _, carrier in ipairs(carriers) do
-        for port_type, dissect in pairs(carrier.dissectors) do
-            dissectors[port_type] = dissect
-        end
-    end
-
     ev3.fields = fields
     ev3.experts = experts
 
@@ -6354,20 +6366,14 @@ do
     function ev3.init()
         dialogues.forget()
         first_cut, streaming.sure_places = math.huge, {}
-        for _, carrier in ipairs(carriers) do
-            carrier.forget()
-        end
+        for _, carrier in ipairs(carriers) do carrier.forget() end
     end
 
     -- Wireshark registers only protocols that have a dissector.
-    for _, carrier in ipairs(carriers) do
-        carrier.register()
-    end
+    for _, carrier in ipairs(carriers) do carrier.register() end
 
     local dialect_choices = {}
-    for number, name in ipairs(DIALECTS) do
-        dialect_choices[number] = { number, name, number }
-    end
+    for number, name in ipairs(DIALECTS) do dialect_choices[number] = { number, name, number } end
 
     ev3.prefs.firmware = Pref.enum("Firmware", 1, "Firmware whose instruction set is used", dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Add the bytes of each frame as a field, for other programs")
@@ -6382,4 +6388,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 646ca78de5e4b8ea
+-- Checksum of the lines above, by which a changed file is recognised: f81b2cb95337425b

@@ -94,9 +94,7 @@ end
 -- Returns how often a command uses each operation; a system or daisy command counts as one operation.
 local function count_uses(command)
     local uses = {}
-    for _, name in ipairs(command.names) do
-        uses[name] = (uses[name] or 0) + 1
-    end
+    for _, name in ipairs(command.names) do uses[name] = (uses[name] or 0) + 1 end
     if not next(uses) then uses["(no operation)"] = 1 end
     return uses
 end
@@ -186,9 +184,7 @@ end
 -- Makes a listener that counts all packets, with all of their fields.
 local function listen(survey)
     local listener = Listener.new("frame", "ev3", true)
-    function listener.packet(pinfo)
-        count_packet(survey, pinfo.number, pinfo.rel_ts)
-    end
+    function listener.packet(pinfo) count_packet(survey, pinfo.number, pinfo.rel_ts) end
     return listener
 end
 
@@ -230,9 +226,7 @@ end
 
 local function table_text(heading, rows, has_uses)
     local names = {}
-    for name in pairs(rows) do
-        names[#names + 1] = name
-    end
+    for name in pairs(rows) do names[#names + 1] = name end
     table.sort(names, function(one, other)
         if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
         return one < other
@@ -385,4 +379,4 @@ function script.init()
         if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: e09484a1b4713ce9
+-- Checksum of the lines above, by which a changed file is recognised: b9009b616aa016ab

@@ -12,7 +12,6 @@ from ev3proto.capture.finding import Accepts, Finder, Found
 from ev3proto.capture.record import Event, Record
 from ev3proto.schema.frame import FrameReader
 from ev3proto.tables.claims import MOST_HELD, REPLIES, STRANGE_PACKETS
-from ev3proto.tables.discovery import NOT_UNLOCKED
 from ev3proto.tables.frame import MAX_FRAME
 
 
@@ -42,8 +41,7 @@ def _is_proof(record: Record) -> bool:
 
 
 def _is_meant(record: Record) -> bool:
-    """Returns whether a record makes sense, or would with the right length, as its note says."""
-    return is_sensible(record.message) or record.note not in (None, NOT_UNLOCKED)
+    return record.is_mended or is_sensible(record.message)
 
 
 class Claim:

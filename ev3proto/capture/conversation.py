@@ -18,6 +18,8 @@ from ev3proto.tables.frame import MESSAGE_TYPES
 MOST_PENDING = 4096
 """Maximum number of pending commands of a conversation; a long capture may have a million unanswered ones."""
 
+OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
+
 _RECORD_SIZE = 700
 """Approximate memory of a pending record besides its frame, in bytes."""
 
@@ -81,6 +83,7 @@ class Conversation:
         """Returns the record of a reply whose first bytes, including the type, are overwritten by its command's."""
         record = Record(frame, numbers, time_ns, route, self._schema)
         self._pair(record)
+        record.note, record.is_mended = OVERWRITTEN, True
         record.connection = self._number_of(record, is_command=False)
         return record
 

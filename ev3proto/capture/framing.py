@@ -126,6 +126,12 @@ class Cutter:
         self._after_text = None
         return True
 
+    def answered(self) -> list[StreamPart]:
+        """Returns a pending command with a wrong length: the other side sends, so nothing more belongs to it."""
+        if self._may_gap or len(self._marks) != 1 or self._slip_at(self._buffer.pending, 0, is_last=True) is None:
+            return []
+        return self._cut(is_last=True)
+
     @property
     def passed(self) -> int:
         """The number of pending bytes that are in no frame."""
@@ -301,7 +307,8 @@ class Cutter:
         """Returns the end of a frame with a wrong length, and what is wrong with it; None for any other.
 
         A packet begins with it, the length field says nearly the size of that packet, and only with the right length
-        the frame makes sense. Its end is the one that the brick sees, as far as bytes are there.
+        the frame makes sense. Its end is the one that the brick sees, as far as bytes are there; it is that of its
+        packet if no gap could be after it.
         """
         sent = next((stop for start, _, stop in self._spans() if start == at), at) if self._in_step else at
         slip = self._finder.slip_of(buffer[at:sent], is_sensible)
@@ -315,7 +322,7 @@ class Cutter:
         said = SENT_WITH[slip].format(
             length=end - at - LENGTH_FIELD, follow=sent - at - LENGTH_FIELD, more=LENGTH_FIELD
         )
-        return min(end, len(buffer) if is_possible else sent), said
+        return min(end, len(buffer) if is_possible and self._may_gap else sent), said
 
     def _take_lost(self, buffer: bytes, at: int, found: list[StreamPart], *, is_last: bool) -> tuple[int, bool]:
         """Adds the bytes to the next frame. Returns the offset after them, and whether more bytes are needed."""

@@ -130,6 +130,7 @@ class Record:
     answered    for a command: the facts about its reply; None without one so far
     transfer    the file transfer that a system message belongs to, if any; its counts increase while reading
     note        a sentence about a peculiarity besides its contents, if any
+    is_mended   its length or its first bytes are wrong, but what was meant is certain; the note says what is wrong
     missing     number of bytes at the end of the frame that the capture or the text has left out
     written     what the text says in which it is; None in a capture
     name        the name of the capture; empty if unknown
@@ -150,6 +151,7 @@ class Record:
         "answered",
         "connection",
         "frame",
+        "is_mended",
         "missing",
         "name",
         "note",
@@ -181,6 +183,7 @@ class Record:
         self.answered: Outcome | None = None
         self.transfer = transfer
         self.note = note
+        self.is_mended = False
         self.missing = 0
         self.written: Written | None = None
         self.name = ""

@@ -12,7 +12,6 @@ from datetime import datetime
 
 from ev3proto.bounded import DEFAULT_MEMORY, Bounded, Budget
 from ev3proto.capture import Account, Announcement, Carrier, Direction, Event, Route, Skipped, TextKind
-from ev3proto.capture.carriers.usb.reports import OVERWRITTEN
 from ev3proto.capture.conversation import Conversation
 from ev3proto.capture.record import HOST, NANOSECONDS, missing_of
 from ev3proto.errors import DecodeError
@@ -171,9 +170,7 @@ class Events:
         talk = self._conversations.use(number, lambda: Conversation(self._schema, self._budget))[0]
         talk.number = number
         if row.all("ev3.expert.bootloader_fault"):
-            record = talk.overwritten(data, *place)
-            record.note = OVERWRITTEN
-            return record
+            return talk.overwritten(data, *place)
         record = talk.record(data, *place)
         if row.number("frame.cap_len") < row.number("frame.len"):
             record.missing = missing_of(data)

@@ -74,7 +74,8 @@ class StreamClaim(Claim):
             code = piece.data[HEADER_SIZE - 1 : HEADER_SIZE]
             may_go = may_start(piece.data) and (not self._has_texts or not code or accepts(MessageType(code[0])))
             stream.cutter.begin(in_step=may_go)
-        return self._counted(stream, stream.feed(piece))
+        answered = [event for other in self._streams.values() if other is not stream for event in other.answered()]
+        return answered + self._counted(stream, stream.feed(piece))
 
     def _counted(self, stream: Stream, events: list[Event]) -> list[Event]:
         """Counts the events of a packet, and adds those of the pending bytes if that ends the claim."""

@@ -83,6 +83,10 @@ class Stream:
         """Approximate memory of the pending bytes."""
         return self.cutter.size
 
+    def answered(self) -> list[Event]:
+        """Returns the events of a pending command with a wrong length, when the other side sends."""
+        return self._events(self.cutter.answered())
+
     def give_up(self, reason: str = TOO_MUCH) -> list[Event]:
         """Gives up the pending bytes."""
         events = self._events(self.cutter.give_up(reason))
@@ -134,7 +138,7 @@ class Stream:
             if kind is PartKind.FRAME:
                 account.frames += size
                 record = self._conversation.record(data, numbers, time_ns, route)
-                record.note = reason or record.note
+                record.note, record.is_mended = reason or record.note, bool(reason)
                 events.append(record)
             elif kind is PartKind.POLL:
                 account.padding += size

@@ -31,8 +31,6 @@ _BOOTLOADER = frozenset(command.number for command in system.SYSTEM if command.b
 
 _STRANGE = f"with a USB report of {MAX_FRAME} bytes"
 
-OVERWRITTEN = "a known fault of the EV3's bootloader on USB 3 ports: the reply with the request written over its start"
-
 
 class Reports:
     """A reader of the interrupt transfers of all devices."""
@@ -126,9 +124,7 @@ class Reports:
             self._conversations.add(found.device, self._context.conversation())
         conversation = self._conversations[found.device]
         if _is_overwritten(found):
-            record = conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
-            record.note = OVERWRITTEN
-            return record
+            return conversation.overwritten(frame, (packet.number,), packet.time_ns, route)
         record = conversation.record(frame, (packet.number,), packet.time_ns, route)
         if packet.missing:
             record.missing = missing_of(frame)

@@ -11,9 +11,7 @@ do
     -- All packets of a frame share its list; its `complete_in` is the packet with the last piece.
     local packets, streams
 
-    local function forget_streams()
-        packets, streams = {}, {}
-    end
+    local function forget_streams() packets, streams = {}, {} end
 
     -- Returns the conversation of a packet's channel, and the stream of its direction. Devices are identified by
     -- hardware addresses: Wireshark adds names to the other addresses as soon as it learns them. A capture that was
@@ -192,20 +190,21 @@ do
             end
             local joint, begun = before and #before or 0, pinfo.visited and packet.begun
             local state = {
-                reported = #text, step = packet.step or "likely", start = packet.start,
+                tvb = whole, text = text, conversation = conversation, number = number, pinfo = pinfo, tree = tree,
+                brick = brick, reported = #text, step = packet.step or "likely", start = packet.start,
                 is_last = missing > 0 or begun and not begun[2] and not begun.complete_in,
                 joint = joint, sent = packet.earlier == 1 and joint, first = not before and 0, may_gap = true,
                 accepts = packet.accepts,
             }
-            local after, _, lost, step = streaming.dissect(whole, text, state, conversation, number, pinfo, tree, brick)
+            local after = streaming.dissect(state)
             size = #text - after
             if stream then
                 if size > 0 then
                     stream.left, stream.list = sub(text, after + 1), { number }
                     packet.begun = stream.list
                 end
-                stream.step = step
-                claiming.count(conversation, lost, number)
+                stream.step = state.step
+                claiming.count(conversation, state.lost, number)
                 if not claiming.is_claimed(conversation) then clear_sides(conversation) end
             end
         end
@@ -225,5 +224,6 @@ do
         channels:add_for_decode_as(ev3_all)
     end
 
-    carriers[#carriers + 1] = { dissectors = { [11] = dissect_rfcomm }, forget = forget_streams, register = register }
+    dissectors[11] = dissect_rfcomm
+    carriers[#carriers + 1] = { forget = forget_streams, register = register }
 end

@@ -183,9 +183,7 @@ do
             conversation.longest = math.max(longest or 0, now - times[commands[found]])
         end
         local command = commands[found]
-        for _ = 1, found do
-            table.remove(commands, 1)
-        end
+        for _ = 1, found do table.remove(commands, 1) end
         if #commands == 0 then conversation.waiting[key] = nil end
         return command, is_unsure
     end

@@ -142,9 +142,7 @@ do
             return is_begin[place] and finding.is_filled(text, place, accepts, reported) and SINGLE or nil
         end
         local places, first = {}, {}
-        for index, start in ipairs(starts) do
-            places[index], is_begin[start] = start, true
-        end
+        for index, start in ipairs(starts) do places[index], is_begin[start] = start, true end
         for place in each_start(text, 0, accepts) do
             if not is_begin[place] then places[#places + 1] = place end
         end

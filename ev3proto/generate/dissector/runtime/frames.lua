@@ -50,16 +50,14 @@ end
 -- Claims and Finding below decide which conversations are a brick's, and where frames start.
 local claiming, finding = {}, {}
 
--- Each carrier below adds a table: `dissectors`, by Wireshark's type of ports; `register`, which registers them;
+-- Each carrier below adds its dissectors, by Wireshark's type of ports, and a table: `register`, which registers them;
 -- `forget`, which drops the state of the last capture and begins each; optionally `prefs_changed`.
-local carriers = {}
+local dissectors, carriers = {}, {}
 
 -- Looking up these methods for each packet would take longer than calling them.
 local bytes_of, captured_len, offset_of = Tvb.raw, Tvb.len, Tvb.offset
 
-local function is_command(type)
-    return type.is_command
-end
+local function is_command(type) return type.is_command end
 
 -- The number of the first packet with data of which the capture has only the beginning, as with a snap length.
 local first_cut = math.huge
@@ -118,8 +116,6 @@ end
 
 -- Returns the offset after the polls at an offset: lengths of 0 between frames, which the brick ignores.
 local function after_polls(text, at)
-    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do
-        at = at + LENGTH_FIELD
-    end
+    while sub(text, at + 1, at + LENGTH_FIELD) == "\0\0" do at = at + LENGTH_FIELD end
     return at
 end

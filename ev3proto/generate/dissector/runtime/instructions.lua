@@ -153,9 +153,7 @@ do
 
     -- By dialect and opcode: an operation, or a family, which has a name and `commands`, its operations by CMD.
     INSTRUCTION_SETS = {}
-    for _, dialect in ipairs(DIALECTS) do
-        INSTRUCTION_SETS[dialect] = {}
-    end
+    for _, dialect in ipairs(DIALECTS) do INSTRUCTION_SETS[dialect] = {} end
     for _, row in ipairs(OPERATIONS) do
         local operation = not row.commands and declare_operation(row[2], row[4])
         local operations = {}

@@ -81,9 +81,7 @@ do
             local range = bytes_between(view, HEADER_SIZE + start, HEADER_SIZE + stop)
             local output = outputs[first]
             local item = add(view.item, field.answers, range, output.operation.name, nil, output.telling)
-            for index = first, last - 1 do
-                add_output(item, view, outputs[index])
-            end
+            for index = first, last - 1 do add_output(item, view, outputs[index]) end
             first = last
         end
     end

@@ -62,9 +62,7 @@ do
                 add(newest, ENCODING, range, steps[index + 1])
                 index = index + 2
             elseif declared == PORTS then
-                for _, port in ipairs(PORT_FIELDS) do
-                    add(newest, port, range, steps[index + 1])
-                end
+                for _, port in ipairs(PORT_FIELDS) do add(newest, port, range, steps[index + 1]) end
                 index = index + 2
             elseif not declared then
                 complain(newest, steps[index + 1], steps[index + 2])
@@ -339,9 +337,7 @@ do
         for _, list in pairs(by_name) do
             if list[2] then tell_apart(list, telling) end
         end
-        for _, output in ipairs(summary.outputs) do
-            output.telling = telling[output.at]
-        end
+        for _, output in ipairs(summary.outputs) do output.telling = telling[output.at] end
     end
 
     -- Returns the values in a direct reply to a command, up to the end of its memory, and the first operation.

@@ -1,13 +1,6 @@
 -- Registration ------------------------------------------------------------------------------------------------------
 
 do
-    local dissectors = {}
-    for _, carrier in ipairs(carriers) do
-        for port_type, dissect in pairs(carrier.dissectors) do
-            dissectors[port_type] = dissect
-        end
-    end
-
     ev3.fields = fields
     ev3.experts = experts
 
@@ -22,20 +15,14 @@ do
     function ev3.init()
         dialogues.forget()
         first_cut, streaming.sure_places = math.huge, {}
-        for _, carrier in ipairs(carriers) do
-            carrier.forget()
-        end
+        for _, carrier in ipairs(carriers) do carrier.forget() end
     end
 
     -- Wireshark registers only protocols that have a dissector.
-    for _, carrier in ipairs(carriers) do
-        carrier.register()
-    end
+    for _, carrier in ipairs(carriers) do carrier.register() end
 
     local dialect_choices = {}
-    for number, name in ipairs(DIALECTS) do
-        dialect_choices[number] = { number, name, number }
-    end
+    for number, name in ipairs(DIALECTS) do dialect_choices[number] = { number, name, number } end
 
     ev3.prefs.firmware = Pref.enum("Firmware", 1, "Firmware whose instruction set is used", dialect_choices, false)
     ev3.prefs.bytes = Pref.bool("Bytes as a field", false, "Add the bytes of each frame as a field, for other programs")

@@ -75,9 +75,7 @@ end
 -- Returns how often a command uses each operation; a system or daisy command counts as one operation.
 local function count_uses(command)
     local uses = {}
-    for _, name in ipairs(command.names) do
-        uses[name] = (uses[name] or 0) + 1
-    end
+    for _, name in ipairs(command.names) do uses[name] = (uses[name] or 0) + 1 end
     if not next(uses) then uses["(no operation)"] = 1 end
     return uses
 end
@@ -167,9 +165,7 @@ end
 -- Makes a listener that counts all packets, with all of their fields.
 local function listen(survey)
     local listener = Listener.new("frame", "ev3", true)
-    function listener.packet(pinfo)
-        count_packet(survey, pinfo.number, pinfo.rel_ts)
-    end
+    function listener.packet(pinfo) count_packet(survey, pinfo.number, pinfo.rel_ts) end
     return listener
 end
 
@@ -211,9 +207,7 @@ end
 
 local function table_text(heading, rows, has_uses)
     local names = {}
-    for name in pairs(rows) do
-        names[#names + 1] = name
-    end
+    for name in pairs(rows) do names[#names + 1] = name end
     table.sort(names, function(one, other)
         if rows[one].messages ~= rows[other].messages then return rows[one].messages > rows[other].messages end
         return one < other

@@ -19,30 +19,30 @@ do
         return after - 1, serial
     end
 
-    -- Adds bytes that are not a frame. Returns their item, nil without a tree.
-    local function add_bytes(tvb, at, stop, tree, brick, said, declared)
-        if not brick then return nil end
-        local range = tvb(at, stop - at)
-        local item = add_item(tree, range, brick, said)
+    -- Adds bytes that are not a frame. Returns their line, the offset after them, and their item, nil without a tree.
+    local function add_bytes(stream, at, stop, said, declared)
+        if not stream.brick then return said, stop end
+        local range = stream.tvb(at, stop - at)
+        local item = add_item(stream.tree, range, stream.brick, said)
         item:add(declared, range)
-        return item
+        return said, stop, item
     end
 
     -- Dissects one of the texts: its line, and the offset after it; else nil. The firmware also sends the terminating
     -- zero of its answer, unless that zero is the start of a frame's length.
-    local function dissect_text(tvb, text, at, tree, brick)
+    local function dissect_text(stream, at)
+        local text = stream.text
         local after, serial = match_unlock(text, at)
         if after then
-            local item = add_bytes(tvb, at, after, tree, brick, "unlock " .. serial, field.unlock)
-            if item then item:add(field.unlock_serial, tvb(at + #UNLOCK.request, #serial)) end
+            local _, _, item = add_bytes(stream, at, after, "unlock " .. serial, field.unlock)
+            if item then item:add(field.unlock_serial, stream.tvb(at + #UNLOCK.request, #serial)) end
             return "unlock " .. serial, after
         end
         after = at + #UNLOCK.answer
         if sub(text, at + 1, after) ~= UNLOCK.answer then return nil end
         local zero, next = byte(text, after + 1, after + 2)
         if zero == 0 and not (next and is_length(text, after)) then after = after + 1 end
-        add_bytes(tvb, at, after, tree, brick, "accepted", field.accept)
-        return "accepted", after
+        return add_bytes(stream, at, after, "accepted", field.accept)
     end
 
     -- Tells whether one of the texts may begin here and continue in the next segment.
@@ -70,8 +70,9 @@ do
         return stop == #text and after - 1 or nil
     end
 
-    local function add_faulty(tvb, at, stop, tree, brick, said, kind, reason)
-        complain(add_bytes(tvb, at, stop, tree, brick, said, field.rest) or tree, kind, reason)
+    local function add_faulty(stream, at, stop, said, kind, reason)
+        local _, _, item = add_bytes(stream, at, stop, said, field.rest)
+        complain(item or stream.tree, kind, reason)
         return said, stop
     end
 
@@ -98,12 +99,12 @@ do
 
     -- Adds the bytes between two offsets, which are outside of frames. They may belong to a frame that the capture cut,
     -- in this packet or before.
-    function streaming.dissect_no_frame(tvb, at, stop, length, pinfo, tree, brick, plain, left_over, is_gap)
+    function streaming.add_no_frame(stream, at, stop, plain, left_over, is_gap)
         local said = plain and format("text, not a frame: %.60s", plain)
             or format("no frame (%s)", phrases.plural(stop - at, "byte"))
-        local is_cut = is_cut_by_capture(tvb, stop, pinfo) or pinfo.number > first_cut
-        local kind = is_cut and "cut_by_capture" or "no_boundary"
-        return add_faulty(tvb, at, stop, tree, brick, said, kind, reason_of(length, plain, left_over, is_gap))
+        local is_cut = is_cut_by_capture(stream.tvb, stop, stream.pinfo) or stream.pinfo.number > first_cut
+        local reason = reason_of(reading.unsigned16(stream.text, at), plain, left_over, is_gap)
+        return add_faulty(stream, at, stop, said, is_cut and "cut_by_capture" or "no_boundary", reason)
     end
 
     -- Finds where a stream that is out of step continues: at a frame, a text, or the end; returns that, and whether
@@ -129,12 +130,13 @@ do
 
     -- Judges the bytes from an offset on: OURS for a frame that can be dissected, with what is wrong with its length;
     -- PART for one that has to wait, with the bytes it needs, if known, and the step of the stream; nil for no frame.
-    local function judge_frame(text, at, stream, step)
+    local function judge_frame(stream, at)
+        local text, step = stream.text, stream.step
         local code, stop = byte(text, at + HEADER_SIZE), stop_of(text, at)
         if LOST[step] then return nil end
         local sent = at < stream.joint and stream.sent
         if at == math.max(stream.joint, stream.start or 0) and stream.reported == #text then sent = #text end
-        local slip = finding.slip_of(text, at, sent, stream.is_last)
+        local slip = finding.slip_of(text, at, sent, stream.is_last or stream.joint + at == 0 and not stream.may_gap)
         if slip then return OURS, slip end
         if stop and not is_length(text, at) then return nil end
         if code and at < stream.joint and stream.may_gap then
@@ -161,82 +163,108 @@ do
         if conversation.state ~= "sure" then claiming.begin(conversation, "sure") end
     end
 
-    -- The frames and texts in a piece of a stream: the offset after the last one that is whole; how many bytes the
-    -- next one wants, nil if its length is not known yet; how many bytes are in no frame; and the step at the end.
-    -- `stream` has
+    -- Each of these takes what is at an offset: its line and the offset after it; PART if it has to wait; nil if
+    -- something else is there.
+    local takers = {}
+
+    takers[1] = function(stream, at)
+        local text = stream.text
+        if not UNLOCK.starts[byte(text, at + 1)] then return nil end
+        local said, after = dissect_text(stream, at)
+        if not said then return not stream.is_last and is_part_of_text(text, at) and PART or nil end
+        stream.step = "text"
+        if stream.conversation then confirm(stream.conversation, text, at) end
+        return said, after
+    end
+
+    takers[2] = function(stream, at)
+        local after = LOST[stream.step] and at or after_polls(stream.text, at)
+        if after == at or after < #stream.text and not may_start(stream.text, after) then return nil end
+        return add_bytes(stream, at, after, "poll", field.padding)
+    end
+
+    takers[3] = function(stream, at)
+        local tvb, text, captured, pinfo = stream.tvb, stream.text, #stream.text, stream.pinfo
+        if at == stream.no_frame_at then return nil end
+        local verdict, detail, step = judge_frame(stream, at)
+        if verdict == PART then stream.wanted, stream.step = detail, step end
+        if verdict ~= OURS then return verdict end
+        if captured - at < HEADER_SIZE then
+            local kind = is_cut_by_capture(tvb, captured, pinfo) and "cut_by_capture" or "cut_off"
+            return add_faulty(stream, at, captured, "part of a frame", kind, "the frame is cut off in its header")
+        end
+        local after, place = math.min(stop_of(text, at), captured), storage.place_of(stream.number, tvb:offset() + at)
+        local message = messages.read_at(text, at)
+        message.slip = detail
+        -- The bytes after it in the packet are the rest of the next frame.
+        if detail then stream.no_frame_at = after end
+        if stream.step == "text" then stream.step = "sure" end
+        return dissect_message(tvb, at, message, stream.conversation, place, pinfo, stream.tree, stream.brick), after
+    end
+
+    takers[4] = function(stream, at)
+        local after = stream.step == "text" and end_of_text(stream.text, at)
+        if not after then return nil end
+        return add_bytes(stream, at, after, "end of the text before", field.rest)
+    end
+
+    -- Returns the plain text at an offset in a conversation that is a brick's for sure, if a frame may start there, up
+    -- to either of two offsets, and its end.
+    local function find_plain(stream, at, stop, after)
+        local place, conversation = storage.place_of(stream.number, stream.tvb:offset() + at), stream.conversation
+        if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
+        if LOST[stream.step] or not streaming.sure_places[place] then return nil, after end
+        local plain = plain_text(stream.text, at, stop)
+        return plain or plain_text(stream.text, at, after), plain and stop or after
+    end
+
+    -- Bytes that are in no frame; `is_open` tells whether more is needed to decide where they end.
+    takers[5] = function(stream, at)
+        local text, captured, was_lost, joint = stream.text, #stream.text, LOST[stream.step], stream.joint
+        -- After a frame in the same packet this is the sender's fault, and ends with the packet.
+        local is_after = at == stream.no_frame_at or not (was_lost or stream.may_gap) and at > 0 and at ~= joint
+        local stop = is_after and at < joint and joint or captured
+        local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
+        local found, is_open =
+            next_step(sub(text, 1, stop), was_lost and at or at + 1, stream.accepts, least, stream.first, joint)
+        local plain, after = find_plain(stream, at, stop, found)
+        stream.is_open = is_open and after == found
+        local is_gap = stream.may_gap or stream.step == "lost"
+        local is_sure = not stream.is_open and (after < captured or plain or is_after)
+        stream.step = is_sure and "sure" or is_gap and "lost" or "astray"
+        stream.lost = stream.lost + after - at
+        local said = after > at and streaming.add_no_frame(stream, at, after, plain, is_after and stop - at, is_gap)
+        return said, after
+    end
+
+    -- Dissects the frames and texts in a piece of a stream. Returns the offset after the last one that is whole, and
+    -- how many bytes the next one wants, nil if its length is not known yet. `stream` has `tvb`, `text`, `number`,
+    -- `conversation`, `pinfo`, `tree` and `brick`, and
     --   reported   the size of the piece on the wire, of which a capture may have less
     --   is_last    there is nothing more to wait for
     --   step       "sure" if a frame starts with the piece, "likely" if one does unless there is a gap before it,
-    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or "astray"
+    --              "text" if the end of a text may come before; if one is searched for, "lost" after a gap, or
+    --              "astray"; afterwards the step at the end
     --   start      how many bytes of it are done, if any
     --   joint      where in the piece the newest packet starts; `first` is 0 if a packet starts with the piece, too
     --   sent       the same, if what was sent before can be all of a frame
     --   may_gap    gaps between the packets go unnoticed
     --   accepts    tells which types go in its direction, if that is known
-    function streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
-        local at, captured, lost, start, step, no_frame_at = stream.start or 0, #text, 0, tvb:offset(), stream.step
-        while at < captured do
-            local said, after, verdict, wanted, step_then, is_open
-            if UNLOCK.starts[byte(text, at + 1)] then
-                said, after = dissect_text(tvb, text, at, tree, brick)
-                if not said and not stream.is_last and is_part_of_text(text, at) then return at, nil, lost, step end
-                if said then step = "text" end
-                if said and conversation then confirm(conversation, text, at) end
-            end
-            local polled = LOST[step] and at or after_polls(text, at)
-            if polled > at and (polled == captured or may_start(text, polled)) then
-                said, after = "poll", polled
-                add_bytes(tvb, at, after, tree, brick, said, field.padding)
-            end
-            if not said and at ~= no_frame_at then
-                verdict, wanted, step_then = judge_frame(text, at, stream, step)
-                if verdict == PART then return at, wanted, lost, step_then end
-            end
-            if verdict == OURS and captured - at < HEADER_SIZE then
-                local kind, reason = "cut_off", "the frame is cut off in its header"
-                if is_cut_by_capture(tvb, captured, pinfo) then kind = "cut_by_capture" end
-                said, after = add_faulty(tvb, at, captured, tree, brick, "part of a frame", kind, reason)
-            elseif verdict == OURS then
-                after = math.min(stop_of(text, at), captured)
-                local message, place = messages.read_at(text, at), storage.place_of(number, start + at)
-                message.slip = wanted
-                -- The bytes after it in the packet are the rest of the next frame.
-                if message.slip then no_frame_at = after end
-                said = dissect_message(tvb, at, message, conversation, place, pinfo, tree, brick)
-                step = step == "text" and "sure" or step
-            elseif not said then
-                after = step == "text" and end_of_text(text, at)
-                if after then
-                    said = "end of the text before"
-                    add_bytes(tvb, at, after, tree, brick, said, field.rest)
-                else
-                    -- After a frame in the same packet this is the sender's fault, and ends with the packet.
-                    local was_lost, place = LOST[step], storage.place_of(number, start + at)
-                    local is_after = at == no_frame_at
-                        or not (was_lost or stream.may_gap) and at > 0 and at ~= stream.joint
-                    local stop = is_after and at < stream.joint and stream.joint or captured
-                    local least = not (stream.is_last or is_after) and (was_lost or stream.may_gap) and 1
-                    local from, piece = was_lost and at or at + 1, sub(text, 1, stop)
-                    after, is_open = next_step(piece, from, stream.accepts, least, stream.first, stream.joint)
-                    if conversation and conversation.state == "sure" then streaming.sure_places[place] = true end
-                    local may_be_text = not was_lost and streaming.sure_places[place]
-                    local plain = may_be_text and plain_text(text, at, stop)
-                    if plain then after, is_open = stop, false end
-                    plain = plain or may_be_text and plain_text(text, at, after)
-                    local is_gap = stream.may_gap or step == "lost"
-                    local is_sure = not is_open and (after < captured or plain or is_after)
-                    step = is_sure and "sure" or is_gap and "lost" or "astray"
-                    if after > at then
-                        said = streaming.dissect_no_frame(tvb, at, after, reading.unsigned16(text, at), pinfo, tree,
-                            brick, plain, is_after and stop - at, is_gap)
-                        lost = lost + after - at
-                    end
-                end
+    --   lost       afterwards: how many bytes are in no frame
+    function streaming.dissect(stream)
+        local at = stream.start or 0
+        stream.lost = 0
+        while at < #stream.text do
+            local said, after
+            for _, take in ipairs(takers) do
+                said, after = take(stream, at)
+                if said == PART then return at, stream.wanted end
+                if after then break end
             end
             if said then say(said) end
-            if is_open then return after, nil, lost, step end
             at = after
+            if stream.is_open then return at, nil end
         end
-        return at, 0, lost, step
+        return at, 0
     end
 end

@@ -6,9 +6,7 @@ do
     -- The "port" of the host; that of a device is the number of its endpoint.
     local HOST = 0xFFFFFFFF
 
-    local function is_from_host(pinfo)
-        return pinfo.src_port == HOST
-    end
+    local function is_from_host(pinfo) return pinfo.src_port == HOST end
 
     -- Returns the device that a report comes from or goes to, without its endpoint.
     local function device_key(pinfo)
@@ -28,9 +26,7 @@ do
     -- The number of the last packet from or to a known brick, or a device that the user chose.
     local marked
 
-    local function forget_devices()
-        taken, marked = {}, nil
-    end
+    local function forget_devices() taken, marked = {}, nil end
 
     -- Reads the message at the start of a report, without the padding.
     local function read_report(tvb)
@@ -69,10 +65,11 @@ do
     local function dissect_known(tvb, pinfo, tree)
         local captured, device = captured_len(tvb), device_key(pinfo)
         if pinfo.src_port == 0 or pinfo.dst_port == 0 or captured < HEADER_SIZE then return 0 end
-        local length = reading.unsigned16(bytes_of(tvb, 0, LENGTH_FIELD), 0)
-        if is_usual_length(length) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
+        local text = bytes_of(tvb, 0, LENGTH_FIELD)
+        if is_length(text, 0) then return dissect_report(tvb, read_report(tvb), device, pinfo, tree) end
         start_line(pinfo.number, offset_of(tvb))
-        say((streaming.dissect_no_frame(tvb, 0, captured, length, pinfo, tree, has_tree(tree) and device)))
+        local report = { tvb = tvb, text = text, pinfo = pinfo, tree = tree, brick = has_tree(tree) and device }
+        say((streaming.add_no_frame(report, 0, captured)))
         show(pinfo, tvb, tree)
         return captured
     end
@@ -137,13 +134,12 @@ do
 
     local function register()
         local products = DissectorTable.get("usb.product")
-        for _, product in ipairs(CARRIERS.usb_products) do
-            products:add(product, ev3)
-        end
+        for _, product in ipairs(CARRIERS.usb_products) do products:add(product, ev3) end
         products:add_for_decode_as(ev3_all)
         DissectorTable.get("usb.device"):add_for_decode_as(ev3_all)
         ev3:register_heuristic("usb.interrupt", guess_usb)
     end
 
-    carriers[#carriers + 1] = { dissectors = { [8] = mark_known }, forget = forget_devices, register = register }
+    dissectors[8] = mark_known
+    carriers[#carriers + 1] = { forget = forget_devices, register = register }
 end

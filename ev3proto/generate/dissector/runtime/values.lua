@@ -56,9 +56,7 @@ do
         local count = math.min(reply_values.stated_length(parameter, stated, room), room)
         if count < 1 then return false end
         local list = {}
-        for index = 1, count do
-            list[index] = read(memory, start + (index - 1) * size)
-        end
+        for index = 1, count do list[index] = read(memory, start + (index - 1) * size) end
         output.value, output.size = list, count * size
         return true
     end

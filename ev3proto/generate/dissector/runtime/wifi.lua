@@ -33,9 +33,7 @@ do
 
     local function find_direction(ends, from, to)
         local known = connections[ends]
-        while known and (known.from ~= from or known.to ~= to) do
-            known = known.older
-        end
+        while known and (known.from ~= from or known.to ~= to) do known = known.older end
         return known
     end
 
@@ -122,9 +120,26 @@ do
             return step, joint, done
         end
 
+        -- A command with a wrong length is shown at once, as nothing more may come. If the next segment completes a
+        -- right one, they are joined here. Returns the buffer, its bytes, and how many of them came before.
+        local function join(known, tvb, text, place)
+            local held, buffer = known and known.held, buffers[place]
+            if known then known.held = nil end
+            if held and claiming.is_sensible(messages.read_at(held.text .. text, 0)) then
+                buffer, buffers[held.place] = { before = held.text }, { is_part = true }
+                buffers[place] = buffer
+            end
+            local before = buffer and buffer.before
+            if not before then return tvb, text, 0 end
+            return ByteArray.new(before .. text, true):tvb("EV3 frame"), before .. text, #before
+        end
+
         -- Dissects a buffer of a claimed connection; `start` is where the claim begins, if in this buffer.
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
-            local captured, offset = #text, offset_of(tvb)
+            local size, offset, earlier = #text, offset_of(tvb), nil
+            local place, whole = storage.place_of(number, offset), tvb
+            whole, text, earlier = join(known, tvb, text, place)
+            local captured = #text
             if known and known.claims ~= conversation.claims then
                 known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
             end
@@ -135,32 +150,36 @@ do
             local lost = 0
             if step == "sure" and joint == 0 and done == 0 and MESSAGE_TYPES[byte(text, HEADER_SIZE)]
                 and stop_of(text, 0) == captured and is_usual_length(captured - LENGTH_FIELD) then
-                local place = storage.place_of(number, offset)
-                say((dissect_message(tvb, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
+                say((dissect_message(whole, 0, messages.read(text), conversation, place, pinfo, tree, brick)))
+            elseif buffers[place] and buffers[place].is_part then
+                say("part of a frame")
+                if brick then add_item(tree, tvb(), brick, "part of a frame"):add(field.fragment, tvb()) end
             else
-                local reported = tvb:reported_len()
+                local reported = whole:reported_len()
                 local named = conversation or connection_of(pinfo)
                 local is_sent = named.port == pinfo.dst_port and named.address == pinfo.dst
                 local stream = {
-                    reported = reported, is_last = captured < reported or pinfo.can_desegment == 0, step = step,
-                    start = done, joint = joint, sent = joint, first = 0,
+                    tvb = whole, text = text, conversation = conversation, number = number, pinfo = pinfo, tree = tree,
+                    brick = brick, reported = reported, is_last = captured < reported or pinfo.can_desegment == 0,
+                    step = step, start = done, joint = joint, sent = joint, first = 0,
                     accepts = is_sent and goes_to_brick or comes_from_brick,
                 }
-                local after, wanted
-                after, wanted, lost, step =
-                    streaming.dissect(tvb, text, stream, conversation, number, pinfo, tree, brick)
+                local after, wanted = streaming.dissect(stream)
+                lost = stream.lost
                 if after < captured then
-                    pinfo.desegment_offset = after
+                    pinfo.desegment_offset = after - earlier
                     pinfo.desegment_len = wanted or DESEGMENT_ONE_MORE_SEGMENT
                 end
                 if known then
                     known.pending = after < captured and sub(text, after + 1) or nil
-                    known.step, known.done = step, after
+                    known.step, known.done = stream.step, after
+                    local is_short = captured == reported and after == captured and (stop_of(text, 0) or 0) > captured
+                    known.held = is_short and { text = text, place = place } or nil
                 end
             end
             if known then claiming.count(conversation, lost, number) end
             show(pinfo, tvb, tree)
-            return captured
+            return size
         end
     end
 
@@ -408,8 +427,6 @@ do
         DissectorTable.get("udp.port"):add(CARRIERS.beacon_port, ev3)
     end
 
-    carriers[#carriers + 1] = {
-        dissectors = { [2] = dissect_tcp, [3] = dissect_udp }, forget = forget_wifi, register = register,
-        prefs_changed = follow_ports,
-    }
+    dissectors[2], dissectors[3] = dissect_tcp, dissect_udp
+    carriers[#carriers + 1] = { forget = forget_wifi, register = register, prefs_changed = follow_ports }
 end

@@ -2578,7 +2578,8 @@ local FINDINGS = {
     VARIABLE_CMD = { "E209", "{reason}" },
     UNDEFINED_FORM = { "E210", "undefined identification byte {byte} for {name} of {owner}" },
     BAD_COUNT = { "E211",
-        "{name} is [{value}][{encoding}, which is not a number][; the brick reads the next bytes as operations, and refuses the command at offset {refused_at}]" },
+        "{name} is [{value}][{encoding}, which is not a number][; the brick reads the next bytes as operations, and refuses the command at " ..
+            "offset {refused_at}]" },
     UNKNOWN_SYSTEM = { "E801", "unknown system command {number}" },
     NO_SYSTEM = { "E801", "the frame ends before the number of the system command" },
     WRONG_FIELDS = { "E802", "{owner}: {reason}" },
@@ -2587,7 +2588,8 @@ local FINDINGS = {
 local FILES = { longer = "it has {size} bytes, but {done} were moved", incomplete = "{done} of {size} bytes were captured" }
 local MOST_IN_MAILBOX = { MAILBOX_NAME = 49, MAILBOX_CONTENT = 250 }
 local SLIPS = {
-    length_self = "this is a frame whose length counts its own two bytes: it says {length}, the size of all that was sent; the brick takes {more} bytes of the next one",
+    length_self = "this is a frame whose length counts its own two bytes: it says {length}, the size of all that was sent; the brick takes " ..
+        "{more} bytes of the next one",
     length_swapped = "this is a frame whose length has its high byte first: it says {length}, but {follow} bytes follow it",
     length = "the length field says that {length} bytes follow it, but there are {follow}",
     left_over = "the frame before ends here by its length field, {bytes} before the end of what was sent",
@@ -3018,9 +3020,8 @@ do
     end
 
     -- Items and ranges of a tree are garbage after their packet. Collected soon, they are still in the processor's
-    -- cache: tshark -V takes 2.5 times as long as without a dissector, not 3.1 times; two passes with a filter, as
-    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held, as by other scripts, a collection takes long.
-    -- Lua's own would wait until twice the memory is used.
+    -- cache. With much memory held, as by other scripts, a collection takes long. Lua's own would wait until twice the
+    -- memory is used.
     local SOON, LATER, MUCH_KILOBYTES = 1.15, 1.5, 32 * 1024
     local limit = 0
 
@@ -3324,14 +3325,27 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
+    -- By template: for each value its name, the text before it, and the words that are left out with it; then the rest.
+    local parts_of = made_late(function(template)
+        local parts, at = {}, 1
+        while at do
+            local first = find(template, "[{%[]", at) or #template + 1
+            local part = { text = sub(template, at, first - 1) }
+            part.before, part.name, part.after, at = template:match("^%[?([^{%[]*){([%w_]+)}([^{%[%]]*)%]?()", first)
+            parts[#parts + 1] = part
+        end
+        return parts
+    end)
+
     -- Returns a template with values for its names in braces. Words in brackets are about a value that may be lacking.
     function phrases.filled(template, about)
-        if find(template, "[", 1, true) then
-            template = gsub(template, "%[(.-{([%w_]+)}.-)%]", function(words, name)
-                return about[name] and words or ""
-            end)
+        local text = ""
+        for _, part in ipairs(parts_of[template]) do
+            local value = part.name and about[part.name]
+            text = text .. part.text
+            if value then text = text .. part.before .. value .. part.after end
         end
-        return (gsub(template, "{([%w_]+)}", about))
+        return text
     end
 
     -- Returns what `ev3proto check` says, by the key of its words, and its code; but not what the brick does next.
@@ -4158,9 +4172,8 @@ do
         }
     end
 
-    -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
-    -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
-    -- Each holds about as much for its tables as the second number, besides its body.
+    -- Summaries of direct commands, by their bytes after the type, because programs repeat their commands. Each holds
+    -- about as much for its tables as the second number, besides its body.
     local MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512
     -- The same for steps, of which each value takes as much as the second number.
     local MOST_STEP_BYTES, STEP_BYTES = 2048 * 1024, 20
@@ -6388,4 +6401,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: f81b2cb95337425b
+-- Checksum of the lines above, by which a changed file is recognised: 71a99189e6470958

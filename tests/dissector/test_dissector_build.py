@@ -118,7 +118,7 @@ def test_the_form_of_the_file() -> None:
     assert b"\t" not in data
     assert data.endswith(b"\n")
     lines = data.decode().split("\n")
-    # A row of a table is on one line, however long.
+    assert [line for line in lines if len(line) > 160] == []
     runtime = lines[lines.index(next(line for line in lines if line.startswith("-- Fields --"))) :]
     assert [line for line in runtime if len(line) > 120] == []
     assert [line for line in lines if line != line.rstrip()] == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from textwrap import wrap
 from typing import Any
 
 INDENT = "    "
@@ -47,6 +48,8 @@ def hexadecimal(number: int) -> Name:
 
 def literal(value: object, depth: int = 0, head: int = 0) -> str:
     """Writes a value as Lua, indented; `head` is the number of characters before it on its line."""
+    if isinstance(value, str) and not isinstance(value, Name):
+        return _quoted(value, depth + 1, WIDTH - len(INDENT) * (depth + 1) - head - _CLOSING)
     if not isinstance(value, Table):
         return _scalar(value)
     pieces = [prefix + literal(inner, depth + 1, len(prefix)) for prefix, inner in value.entries()]
@@ -79,13 +82,15 @@ def _scalar(value: object) -> str:
         return "true" if value else "false"
     if isinstance(value, int):
         return str(value)
-    if isinstance(value, str):
-        return _quoted(value)
     raise TypeError(f"{value!r} cannot be written in Lua")
 
 
-_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\0": "\\0"}
+_ESCAPES = str.maketrans({'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\0": "\\0"})
 
 
-def _quoted(text: str) -> str:
-    return '"' + "".join(_ESCAPES.get(letter, letter) for letter in text) + '"'
+def _quoted(text: str, depth: int, width: int) -> str:
+    """Writes a text, in several lines where it is wider."""
+    lines = wrap(
+        text, width, expand_tabs=False, replace_whitespace=False, drop_whitespace=False, break_on_hyphens=False
+    ) or [""]
+    return f" ..\n{INDENT * depth}".join(f'"{line.translate(_ESCAPES)}"' for line in lines)

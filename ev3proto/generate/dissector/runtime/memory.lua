@@ -16,9 +16,8 @@ do
     end
 
     -- Items and ranges of a tree are garbage after their packet. Collected soon, they are still in the processor's
-    -- cache: tshark -V takes 2.5 times as long as without a dissector, not 3.1 times; two passes with a filter, as
-    -- in Wireshark's window, 4.0 times, not 5.7. With much memory held, as by other scripts, a collection takes long.
-    -- Lua's own would wait until twice the memory is used.
+    -- cache. With much memory held, as by other scripts, a collection takes long. Lua's own would wait until twice the
+    -- memory is used.
     local SOON, LATER, MUCH_KILOBYTES = 1.15, 1.5, 32 * 1024
     local limit = 0
 

@@ -235,9 +235,8 @@ do
         }
     end
 
-    -- Summaries of direct commands, by what they depend on: the bytes after the type, and the firmware. Programs repeat
-    -- their commands: one line takes 1.9 times as long as without a dissector with this, and 2.3 times without.
-    -- Each holds about as much for its tables as the second number, besides its body.
+    -- Summaries of direct commands, by their bytes after the type, because programs repeat their commands. Each holds
+    -- about as much for its tables as the second number, besides its body.
     local MOST_BYTES, SUMMARY_BYTES = 512 * 1024, 512
     -- The same for steps, of which each value takes as much as the second number.
     local MOST_STEP_BYTES, STEP_BYTES = 2048 * 1024, 20

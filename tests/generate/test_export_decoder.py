@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import subprocess
 from pathlib import Path
@@ -27,7 +28,9 @@ import { Dialogue, Frames, decode } from "MODULE";
 const bytes = (hex) => Uint8Array.from(Buffer.from(hex, "hex"));
 const hex = (frame) => Buffer.from(frame).toString("hex");
 const TOOLS = {
-  decode: ([frame, request, dialect]) => decode(bytes(frame), { request: request && bytes(request), dialect }),
+  decode: ([frame, request, dialect]) => (
+    decode(bytes(frame), { request: request === null ? null : bytes(request), dialect })
+  ),
   stream: (chunks) => {
     const stream = new Frames(), found = [];
     try {
@@ -103,17 +106,19 @@ READING = ("INPUT_DEVICE", "INPUT_READ", "INPUT_READSI", "INPUT_READEXT")
 
 def test_drawn_replies_by_their_commands() -> None:
     random, cases = Random(81), list[tuple[str, str | None, str]]()
-    commands = drawn(frames(chosen=choice(types=("direct-command",))), effort(300, 20000))
-    commands += drawn(frames(chosen=choice(names=READING)), effort(150, 5000))
-    for command in commands:
-        asked = parse(command, expect=DirectCommand)
+    commands = [("official", each) for each in drawn(frames(chosen=choice(names=READING)), effort(150, 5000))]
+    for dialect in ("official", "xtended", "compat"):
+        direct = frames(dialect, chosen=choice(types=("direct-command",)))
+        commands += [(dialect, each) for each in drawn(direct, effort(100, 7000))]
+    for dialect, command in commands:
+        asked = parse(command, expect=DirectCommand, dialect=dialect)
         memory = random.randbytes(
             min(random.choice([asked.global_size, asked.global_size, 64, random.randrange(1019)]), 1019)
         )
         if random.random() < 0.3:
             memory = bytes(byte * random.randrange(2) for byte in memory)
         body = asked.counter.to_bytes(2, "little") + bytes((random.choice([2, 2, 2, 4]),)) + memory
-        cases.append(((len(body).to_bytes(2, "little") + body).hex(), command.hex(), "official"))
+        cases.append(((len(body).to_bytes(2, "little") + body).hex(), command.hex(), dialect))
     # A request of another kind tells nothing.
     cases += [(cases[0][0], frame.hex(), "official") for frame in drawn(frames(), 50)]
     assert_equal(cases)
@@ -200,6 +205,14 @@ def test_typescript_knows_the_objects(tmp_path: Path) -> None:
     types = built_export("ev3-decode.d.ts").read_text()
     assert "export type Message = DirectCommand | DirectReply | SystemCommand" in types
     assert '  kind: "constant" | "string" | "local" | "global" | "label";\n' in types
+
+
+def test_the_modules_are_small() -> None:
+    """In bytes, as servers compress them: a page waits for them before it shows a frame."""
+    decoder, texts = (
+        len(gzip.compress(built_export(f"ev3-{name}.mjs").read_bytes(), 9)) for name in ("decode", "texts")
+    )
+    assert (decoder <= 22_000, decoder + texts <= 40_000) == (True, True)
 
 
 def test_the_texts() -> None:

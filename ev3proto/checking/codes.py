@@ -1291,6 +1291,17 @@ STARTED_UNLOADED = _code(
         "put FILE.LOAD_IMAGE before it, and use the variables in which it stores SIZE and {name}",
     ),
 )
+OTHER_RESULT = _code(
+    "W709",
+    "a result of FILE.LOAD_IMAGE in another place",
+    """
+    FILE.LOAD_IMAGE stores the size of a program, then its address. PROGRAM_START takes the slot, the size and the
+    address, in this order. It does not check the address: what it starts elsewhere is unknown.
+    """,
+    _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:44:40:00"),
+    _sized("2A:00|80|00:20|C0:08:01:84:61:00:40:44|03:01:40:44:00"),
+    words=Words("{name} is the variable in which FILE.LOAD_IMAGE stores {result}", "give the slot, then SIZE, then IP"),
+)
 
 # 8: system messages, and messages between bricks
 

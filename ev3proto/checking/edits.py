@@ -130,11 +130,12 @@ def _is_header(fields: dict[str, bytes], frame: bytes) -> bool:
     number, memory = fields["type"][0], fields.get("memory")
     if memory is None:
         return number in SYSTEM and fields["command"][0] in SYSTEM_BY_NUMBER
-    is_rare = number == MessageType.DIRECT_COMMAND_NO_REPLY or fields["counter"][0] > 0
-    if list(fields)[-1] != "memory":
-        is_unknown = frame[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY or frame[TYPE_AT] not in _COMMANDS
-        is_rare = is_rare and is_unknown and memory != frame[HEADER_SIZE:COMMAND_HEADER_SIZE]
-    return number in DIRECT and is_rare
+    is_told = number == MessageType.DIRECT_COMMAND_NO_REPLY
+    if list(fields)[-1] == "memory":
+        return number in DIRECT and (is_told or fields["counter"][0] > 0)
+    is_told = is_told or (fields["counter"][0] > 0 and any(memory))
+    is_possible = frame[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY or frame[TYPE_AT] not in _COMMANDS
+    return number in DIRECT and is_told and is_possible and memory != frame[HEADER_SIZE:COMMAND_HEADER_SIZE]
 
 
 _FIELDS = {"counter": "2s", "type": "s", "memory": "2s", "command": "s"}
@@ -264,7 +265,7 @@ class Place(NamedTuple):
     def takes_number(self) -> bool:
         """Whether it is a whole number that the operation reads."""
         parameter = self.known.parameter
-        is_single = parameter.length is None and parameter.role is not Role.JUMP
+        is_single = parameter.length is None and parameter.role not in (Role.JUMP, Role.ADDRESS)
         return parameter.direction is Direction.IN and parameter.type in _NUMBERS and is_single
 
     def number(self, number: int) -> bytes:

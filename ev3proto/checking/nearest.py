@@ -74,7 +74,7 @@ _SUSPICIOUS = 2.0  # the cost of an operation from which on it is
 _WEIGHTS = {
     **{"E": 10.0, "E207": 1.0, "E212": 1.0, "E502": 1.0, "E6": 4.0, "E803": 1.0, "E804": 1.0},
     **{"W": 5.0, "W101": 0.0, "W201": 0.5, "W407": 8.0, "W303": 3.0, "W304": 3.0, "W5": 2.0, "W6": 2.0, "W7": 1.0},
-    **{"W804": 1.0, "W805": 2.0, "W806": 1.0},
+    **{"W709": 6.0, "W804": 1.0, "W805": 2.0, "W806": 1.0},
     **{"H": 1.0, "H301": 3.5, "H401": 1.5, "H702": 1.5, "H708": 3.5, "H901": 0.3},
 }
 """Costs of findings by the beginnings of their codes. An operation's effect, or a text's length, is rarely a slip."""

@@ -72,6 +72,7 @@ class Role(Enum):
     DRIVE = "power or speed of motors; negative: backward"
     PORTS = "a list of ports"
     FILE = "the handle of a file that the same command opens"
+    ADDRESS = "the address of a program, which only the brick knows"
     ARRAY = "the handle of an array that the same command creates"
     FORMAT = "a format of C's printf"
     SI_READING = "a reading of a device in its unit, as its type and mode tell"

@@ -81,7 +81,7 @@ VM = (
         (
             PRGID,
             In("SIZE", DATA32, "size of the image; read and ignored", unit="bytes"),
-            In("IP", DATA32, "address of the image, as FILE.LOAD_IMAGE returned it"),
+            In("IP", DATA32, "address of the image, as FILE.LOAD_IMAGE returned it", role=Role.ADDRESS),
             In("DEBUG", DATA8, "how to run it", range=(0, 2), special={0: "run", 1: "debug", 2: "load, do not run"}),
         ),
         effects=(Effect.CONTROLS_PROGRAMS,),

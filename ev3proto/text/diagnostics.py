@@ -282,15 +282,20 @@ def _repeated(alike: Sequence[Finding]) -> Line:
 
 
 def unresolved(report: Report, findings: Sequence[Finding], nearest: Sequence[Suggestion]) -> Sequence[Finding]:
-    """Returns the findings that a sure suggestion does not resolve, and the one for which the brick refuses a frame."""
-    if len(nearest) != 1 or not nearest[0].is_sure:
+    """Returns the findings that a sure suggestion does not resolve, and the one for which the brick refuses a frame.
+
+    Of an unsure one, only the hints are left out that it resolves: they would advise something else.
+    """
+    if len(nearest) != 1:
         return findings
     after = check(nearest[0].frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone)
     kept = {(one.code, one.operation, one.parameter) for one in after.findings}
     at = report.rejected_at or 0
     causes = [one for one in report.errors if not report.accepted]
     cause = next((one for one in causes if one.offset >= at), causes[0] if causes else None)
-    return [one for one in findings if one is cause or (one.code, one.operation, one.parameter) in kept]
+    resolved = [one for one in findings if nearest[0].is_sure or one.severity is Severity.HINT]
+    gone = [one for one in resolved if one is not cause and (one.code, one.operation, one.parameter) not in kept]
+    return [one for one in findings if one not in gone]
 
 
 def _did_you_mean(frame: bytes, one: Suggestion, head: str, dialect: str) -> Iterator[Line]:

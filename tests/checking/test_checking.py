@@ -798,6 +798,8 @@ def test_a_jump_to_what_cannot_be_read_is_not_one_into_an_operation(distance: st
         ("80|00:00|02:01", []),
         ("80|08:00|C0:08:01:84:61:00:60:64|03:02:60:64:00", ["W707"]),
         ("80|00:20|03:01:40:44:00", ["W708"]),  # a local variable that nothing fills
+        ("80|08:00|C0:08:01:84:61:00:60:64|03:01:64:60:00", ["W709"]),  # its size for its address
+        ("80|08:00|C0:08:01:84:61:00:60:64|03:01:01:64:00", []),  # the size is ignored
         ("80|08:00|03:01:60:64:00", []),  # global memory may hold what an earlier command stored
         ("80|00:00|B0:00:07:1E:00:82:68:01:01", ["H707"]),
         ("80|00:00|B1:00:06:1E:00:82:68:01:01", []),
@@ -811,4 +813,4 @@ def test_a_jump_to_what_cannot_be_read_is_not_one_into_an_operation(distance: st
 def test_operations_together(text: str, said: list[str]) -> None:
     frame = bytes.fromhex(f"2A00{text}".replace("|", "").replace(":", ""))
     report = check(len(frame).to_bytes(2, "little") + frame)
-    assert [one.code for one in report.findings if one.code in ("W706", "W707", "W708", "H707", "W407")] == said
+    assert [one.code for one in report.findings if one.code in ("W706", "W707", "W708", "W709", "H707", "W407")] == said

@@ -378,3 +378,19 @@ def test_what_is_worse_than_an_accepted_frame_is_motion_or_a_name(frame: bytes) 
 def test_a_slip_of_another_way_to_write(wrong: str, right: str, kind: str) -> None:
     (one,) = nearest(wrong)
     assert (one.kind, one.frame) == (kind, bytes.fromhex(right))
+
+
+def test_results_of_loading_a_program_in_another_place() -> None:
+    """The proposal is another order, never a made-up address."""
+    load = "C008 01 84612E72626600 40 44"
+    right = bytes.fromhex(f"1600 0100 80 0020 {load} 03 01 40 44 00")
+    address, stored = nearest(f"1600 0100 80 0020 {load} 03 01 44 40 00")
+    assert (address.kind, address.frame, stored.kind) == ("order", right, "order")
+    (slot,) = nearest(f"1600 0100 80 0020 {load} 03 40 01 44 00")
+    assert (slot.kind, slot.frame) == ("order", right)
+    assert nearest("0A00 0100 80 0020 03 01 40 44 00") == ()
+
+
+def test_memory_asked_for_in_vain_is_not_another_order() -> None:
+    for frame in ("0600 0000 00 0840 01", "0600 0500 00 0400 01", "0800 0400 00 0840 81 01 60"):
+        assert not [one for one in nearest(frame) if one.kind == "header-order"]

@@ -47,9 +47,12 @@ def _slots(operations: tuple[CheckedOperation, ...], *, has_jumps: bool) -> Iter
             yield operation.finding_of(codes.SLOT_OF_MENU, slot, operation.name)
         elif operation.name == _LOAD:
             loaded.add(number)
-        elif operation.name == _START and slot is not None and number is not None:
+        elif operation.name == _START and slot is not None:
             # With jumps the order is unknown.
-            yield from _start(operation, slot, number, loaded, operations[: None if has_jumps else place + 1])
+            before = operations[: None if has_jumps else place + 1]
+            yield from _misplaced(operation, before)
+            if number is not None:
+                yield from _start(operation, slot, number, loaded, before)
 
 
 def _start(
@@ -73,3 +76,17 @@ def _is_empty(address: Argument, operations: tuple[CheckedOperation, ...]) -> bo
     written = Taken((one.start, one.end) for one in places if one.facts.is_written and not one.is_global)
     own = [one for one in places if one.argument is address and one.argument.kind == LOCAL]
     return any(not written.has_some_of(one.start, one.end) for one in own)
+
+
+def _misplaced(operation: CheckedOperation, operations: tuple[CheckedOperation, ...]) -> Iterator[Finding]:
+    """Yields what is wrong with a start of a program whose slot or address is another result of loading it."""
+    outputs = [one for other in operations if other.name == _LOAD for one in other.arguments if one.is_variable]
+    results = {(one.kind, one.value): one.name for one in outputs if one.parameter.is_output}
+    for argument in operation.arguments:
+        result = results.get((argument.kind, argument.value), argument.name)
+        if argument.name in _USED and result != argument.name:
+            yield operation.finding_of(codes.OTHER_RESULT, argument, result=result)
+
+
+_USED = ("PRGID", "IP")
+"""What PROGRAM_START does not ignore, and FILE.LOAD_IMAGE may have stored."""

@@ -28,7 +28,7 @@ from ev3proto.text.phrases import argument_meaning, argument_value, plain
 _BY_UNIT = {"%": 50, "Hz": 440, "ms": 1000}
 """Usual numbers for a unit."""
 
-_BY_ROLE = {Role.JUMP: 0, Role.LABEL: 1, Role.MOTORS: 1, Role.OBJECT: 1}
+_BY_ROLE = {Role.JUMP: 0, Role.LABEL: 1, Role.MOTORS: 1, Role.OBJECT: 1, Role.ADDRESS: 2}
 
 _NUMBER = 2
 """The number for a parameter without a unit."""

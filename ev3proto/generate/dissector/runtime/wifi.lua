@@ -121,10 +121,12 @@ do
         end
 
         -- A command with a wrong length is shown at once, as nothing more may come. If the next segment completes a
-        -- right one, they are joined here. Returns the buffer, its bytes, and how many of them came before.
-        local function join(known, tvb, text, place)
-            local held, buffer = known and known.held, buffers[place]
-            if known then known.held = nil end
+        -- right one, they are joined here, unless the brick sent anything in between. Returns the buffer, its bytes,
+        -- and how many of them came before.
+        local function join(conversation, known, tvb, text, place)
+            local short, buffer = known and conversation.short, buffers[place]
+            if short then conversation.short = nil end
+            local held = short and short.side == known and short
             if held and claiming.is_sensible(messages.read_at(held.text .. text, 0)) then
                 buffer, buffers[held.place] = { before = held.text }, { is_part = true }
                 buffers[place] = buffer
@@ -138,7 +140,7 @@ do
         function dissect_claimed(tvb, text, pinfo, tree, number, conversation, known, start)
             local size, offset, earlier = #text, offset_of(tvb), nil
             local place, whole = storage.place_of(number, offset), tvb
-            whole, text, earlier = join(known, tvb, text, place)
+            whole, text, earlier = join(conversation, known, tvb, text, place)
             local captured = #text
             if known and known.claims ~= conversation.claims then
                 known.claims, known.pending, known.step, known.number = conversation.claims, nil, nil, nil
@@ -174,7 +176,7 @@ do
                     known.pending = after < captured and sub(text, after + 1) or nil
                     known.step, known.done = stream.step, after
                     local is_short = captured == reported and after == captured and (stop_of(text, 0) or 0) > captured
-                    known.held = is_short and { text = text, place = place } or nil
+                    conversation.short = is_short and { side = known, text = text, place = place } or nil
                 end
             end
             if known then claiming.count(conversation, lost, number) end

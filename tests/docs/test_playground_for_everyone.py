@@ -237,7 +237,7 @@ EFFECT = ("display", "motors", "leds", "stop-motors")
 def test_what_a_frame_does_is_seen_at_once(browser: Chrome, address: str) -> None:
     page = Page(browser, address)
     # A phone, a projector with 1280 x 720 pixels at 150 %, a small and a large window.
-    for width, height, is_phone in ((390, 844, True), (853, 480, False), (1000, 720, False), (1600, 1000, False)):
+    for width, height, is_phone in ((360, 740, True), (853, 480, False), (1000, 720, False), (1600, 1000, False)):
         with emulated(browser, width, height, is_phone=is_phone):
             page.open(fragment(MOVE))
             page.wait(lambda: page.text("sentence") and page.text("verdict"))

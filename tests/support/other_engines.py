@@ -110,7 +110,7 @@ class Tour:
         """A finding marks its bytes."""
         self.type(WRONG)
         self.wait(lambda: "error[" in self.text("findings"))
-        assert self.text("verdict").startswith("The brick refuses it at byte 7, because")
+        assert self.text("verdict").startswith("The brick refuses it at byte 7: VALUE of UI_READ")
         self.click("#findings .error")
         marked = self._engine.run("return [...document.querySelectorAll('#bytes .chosen')].map((it) => it.textContent)")
         assert marked == ["61"], marked

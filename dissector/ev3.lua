@@ -3364,9 +3364,7 @@ do
         local size, shown, index = 0, {}, 2
         while index <= #names do
             local name, first = names[index], index
-            while names[index + 1] == name do
-                index = index + 1
-            end
+            while names[index + 1] == name do index = index + 1 end
             if index > first then name = format("%s x %d", name, index - first + 1) end
             size = size + #name + 2
             if size > MOST_NAMES then
@@ -4926,18 +4924,14 @@ do
     end
 
     -- The types with which a claim of a stream begins.
-    function claiming.begins(type)
-        return type.is_command and type.carries ~= "daisy"
-    end
+    function claiming.begins(type) return type.is_command and type.carries ~= "daisy" end
 
     -- The state of a conversation: nil, not claimed; "claimed" from a plausible command, or from replies, on;
     -- "answered", when a reply has proved it: faulty frames keep the claim, too; "sure", for good; "ended", claimed
     -- before: a new claim may begin anywhere in a packet.
     local IS_CLAIMED = { claimed = true, answered = true, sure = true }
 
-    function claiming.is_claimed(conversation)
-        return IS_CLAIMED[conversation.state] == true
-    end
+    function claiming.is_claimed(conversation) return IS_CLAIMED[conversation.state] == true end
 
     -- Claims a conversation from now on.
     function claiming.begin(conversation, state)
@@ -6006,13 +6000,9 @@ do
     end
 
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
-    local function goes_to_brick(type)
-        return type.is_command or type.carries == "daisy"
-    end
+    local function goes_to_brick(type) return type.is_command or type.carries == "daisy" end
 
-    local function comes_from_brick(type)
-        return not type.is_command or type.carries == "daisy"
-    end
+    local function comes_from_brick(type) return not type.is_command or type.carries == "daisy" end
 
     local dissect_claimed
     do
@@ -6117,9 +6107,7 @@ do
     end
 
     -- Tells whether a beacon announced this port.
-    local function is_announced(address, port)
-        return entry_at(announced, address, port) ~= nil
-    end
+    local function is_announced(address, port) return entry_at(announced, address, port) ~= nil end
 
     -- Returns the address and port of the brick to which a packet goes or from which it comes.
     local function brick_end(pinfo, to_brick)
@@ -6403,4 +6391,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 33fceabda46ac8e8
+-- Checksum of the lines above, by which a changed file is recognised: 4a11c30be8a59fb5

@@ -81,18 +81,14 @@ do
     end
 
     -- The types with which a claim of a stream begins.
-    function claiming.begins(type)
-        return type.is_command and type.carries ~= "daisy"
-    end
+    function claiming.begins(type) return type.is_command and type.carries ~= "daisy" end
 
     -- The state of a conversation: nil, not claimed; "claimed" from a plausible command, or from replies, on;
     -- "answered", when a reply has proved it: faulty frames keep the claim, too; "sure", for good; "ended", claimed
     -- before: a new claim may begin anywhere in a packet.
     local IS_CLAIMED = { claimed = true, answered = true, sure = true }
 
-    function claiming.is_claimed(conversation)
-        return IS_CLAIMED[conversation.state] == true
-    end
+    function claiming.is_claimed(conversation) return IS_CLAIMED[conversation.state] == true end
 
     -- Claims a conversation from now on.
     function claiming.begin(conversation, state)

@@ -75,13 +75,9 @@ do
     end
 
     -- Which types go to the brick and which come from it. Bricks in a chain send commands both ways.
-    local function goes_to_brick(type)
-        return type.is_command or type.carries == "daisy"
-    end
+    local function goes_to_brick(type) return type.is_command or type.carries == "daisy" end
 
-    local function comes_from_brick(type)
-        return not type.is_command or type.carries == "daisy"
-    end
+    local function comes_from_brick(type) return not type.is_command or type.carries == "daisy" end
 
     local dissect_claimed
     do
@@ -186,9 +182,7 @@ do
     end
 
     -- Tells whether a beacon announced this port.
-    local function is_announced(address, port)
-        return entry_at(announced, address, port) ~= nil
-    end
+    local function is_announced(address, port) return entry_at(announced, address, port) ~= nil end
 
     -- Returns the address and port of the brick to which a packet goes or from which it comes.
     local function brick_end(pinfo, to_brick)

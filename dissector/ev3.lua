@@ -3325,27 +3325,14 @@ do
         return format("%d %s%s", count, word, count == 1 and "" or "s")
     end
 
-    -- By template: for each value its name, the text before it, and the words that are left out with it; then the rest.
-    local parts_of = made_late(function(template)
-        local parts, at = {}, 1
-        while at do
-            local first = find(template, "[{%[]", at) or #template + 1
-            local part = { text = sub(template, at, first - 1) }
-            part.before, part.name, part.after, at = template:match("^%[?([^{%[]*){([%w_]+)}([^{%[%]]*)%]?()", first)
-            parts[#parts + 1] = part
-        end
-        return parts
-    end)
-
     -- Returns a template with values for its names in braces. Words in brackets are about a value that may be lacking.
     function phrases.filled(template, about)
-        local text = ""
-        for _, part in ipairs(parts_of[template]) do
-            local value = part.name and about[part.name]
-            text = text .. part.text
-            if value then text = text .. part.before .. value .. part.after end
+        if find(template, "[", 1, true) then
+            template = gsub(template, "%[(.-{([%w_]+)}.-)%]", function(words, name)
+                return about[name] and words or ""
+            end)
         end
-        return text
+        return (gsub(template, "{([%w_]+)}", about))
     end
 
     -- Returns what `ev3proto check` says, by the key of its words, and its code; but not what the brick does next.
@@ -3462,7 +3449,7 @@ do
     end
 
     local function of_number(parameter, encoding, value)
-        if parameter.type == STRING then return "NUMBER" end
+        if parameter.kind == TEXT_VALUE then return "NUMBER" end
         if parameter.is_float then
             if value ~= value then return "NAN_FLOAT" end
             if encoding.is_long then return of_tables(parameter, value) end
@@ -3487,7 +3474,7 @@ do
             return "WRITTEN"
         elseif kind ~= CONSTANT_TEXT then
             return of_number(parameter, encoding, value)
-        elseif sort ~= STRING and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
+        elseif parameter.kind ~= TEXT_VALUE and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
             return "TEXT"
         elseif parameter.most and #value > parameter.most then
             return "LONG"
@@ -6391,4 +6378,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 4a11c30be8a59fb5
+-- Checksum of the lines above, by which a changed file is recognised: 0e4c65ec62d374cd

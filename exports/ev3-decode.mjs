@@ -77,9 +77,9 @@ const plain = (value) => {
 };
 
 /** Returns the name of a number; null for none. */
-const nameOf = ({ members, flags = false } = { members: {} }, value) => {
-  const pairs = Object.entries(members), found = pairs.find(([, number]) => number === value);
-  if (found || !flags || !value) return found?.[0] ?? null;
+const nameOf = (names, value) => {
+  const pairs = names ? Object.entries(names.members) : [], found = pairs.find(([, number]) => number === value);
+  if (found || !names?.flags || !value) return found?.[0] ?? null;
   const parts = pairs.filter(([, number]) => (value & number) === number), sum = parts.reduce((all, [, number]) => all + number, 0);
   return parts.length && sum === (value & 0xff) ? parts.map(([name]) => name).join("|") : null;
 };
@@ -119,7 +119,7 @@ const readArgument = (data, at, parameter, args) => {
     argument.value = isFloat(argument, parameter) ? plain(numberAt(data, DATAF, at + 1)) : isNegative ? value - 2 ** (8 * width) : value;
   }
   const symbol = isVariable(form) || isFloat(argument, parameter) ? null : nameOf(TABLES.enumerations[parameter.enum], argument.value);
-  args.push({ ...argument, ...(handle && { handle }), ...(address && { address }), ...(symbol !== null && { symbol }) });
+  args.push(!handle && !address && symbol === null ? argument : Object.assign(argument, handle && { handle }, address && { address }, symbol !== null && { symbol }));
   return at + argument.length;
 };
 const CMD = { name: "CMD", kind: DATA8 };
@@ -379,7 +379,7 @@ export const decode = (frame, { request = null, dialect = "official" } = {}) => 
   const data = isWrong ? frame.subarray(0, Math.max(length + 2, 5)) : frame;
   const { at = data.length, fault = null, ...keys } = BODIES[type.kind](data, { isError: type.is_error === true, request, set: instructions(dialect) });
   const message = { kind: type.kind, type: type.name, length, counter, ...keys };
-  if (!outer && !fault) return { ...message, hex };
+  if (!outer && !fault) return Object.assign(message, { hex });
   const { offset, reason } = outer ?? fault, more = outer && fault && !fault.truncated ? `; and at offset ${fault.offset}: ${fault.reason}` : "";
   const rest = hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length));
   return { ...message, fault: { offset, reason: reason + more }, ...(rest && { rest }), hex };

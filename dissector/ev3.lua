@@ -3449,7 +3449,7 @@ do
     end
 
     local function of_number(parameter, encoding, value)
-        if parameter.kind == TEXT_VALUE then return "NUMBER" end
+        if parameter.type == STRING then return "NUMBER" end
         if parameter.is_float then
             if value ~= value then return "NAN_FLOAT" end
             if encoding.is_long then return of_tables(parameter, value) end
@@ -3474,7 +3474,7 @@ do
             return "WRITTEN"
         elseif kind ~= CONSTANT_TEXT then
             return of_number(parameter, encoding, value)
-        elseif parameter.kind ~= TEXT_VALUE and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
+        elseif sort ~= STRING and not parameter.length and sort ~= ARRAY_TYPED and not parameter.any then
             return "TEXT"
         elseif parameter.most and #value > parameter.most then
             return "LONG"
@@ -6378,4 +6378,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 0e4c65ec62d374cd
+-- Checksum of the lines above, by which a changed file is recognised: 77710cc19a90e633

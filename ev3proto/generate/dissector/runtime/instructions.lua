@@ -91,8 +91,8 @@ do
         local direction = row[3] == COUNT and row.elements or IN
         return made_late(function(number)
             local name = format("%s[%d]", list.name, number)
-            local one = { name, direction, type, any = row.any, most = row.most, reading = row.reading, field = declared,
-                kind = kind }
+            local one = { name, direction, type, any = row.any, most = row.most, reading = row.reading,
+                field = declared, kind = kind }
             local element = ready_parameter(one, name)
             element.label, element.numbered, element.number, element.alignment = name, name, number + 1, 1
             return element

@@ -38,7 +38,7 @@ MOST = {"decode / tshark -V": 0.8, "decode --json / tshark -T json": 0.7, "check
 
 def _dissector(folder: Path) -> tuple[Path, str]:
     """The file to load, and a description of it."""
-    asked = ["git", "-C", str(DISSECTOR.parent), "show", f"{DISSECTOR_OF}:./{DISSECTOR.name}"]
+    asked = ["git", "-C", str(Path(__file__).parent), "show", f"{DISSECTOR_OF}:dissector/{DISSECTOR.name}"]
     done = subprocess.run(asked, check=False, capture_output=True)
     if done.returncode:
         return DISSECTOR, "the present dissector"

@@ -17,46 +17,22 @@ from typing import TYPE_CHECKING, Any
 from ev3proto.capture.filter import FilterError, compile_filter
 from ev3proto.dialogue import Dialogue
 from ev3proto.schema.frame import parse
+from ev3proto.text.assembly.assembling import assembled
 from ev3proto.text.assembly.disassembly import assembly
 from ev3proto.text.paste import read_argument
 from ev3proto.text.phrases import MACROS, Seen, heading
 from ev3proto.text.spans import plain_text, visible
 
-from .completing import completions
-from .explaining import about, explain
-from .outgoing import MOST_SENT
+from .charting import Steps
+from .completing import complete as complete
+from .explaining import about as about
+from .explaining import explain as explain
+from .notations import MOST_SENT
 from .reading import Input
-from .steps import Steps
 from .virtual_brick import VirtualBrick
 
 if TYPE_CHECKING:
     from .real_brick import RealBrick
-
-__all__ = [
-    "about",
-    "act",
-    "as_assembly",
-    "begin",
-    "complete",
-    "connect",
-    "explain",
-    "frames_of",
-    "give_up",
-    "go_on",
-    "look",
-    "made",
-    "page",
-    "place",
-    "play",
-    "real",
-    "remedies",
-    "rests",
-    "start",
-    "stop_motors",
-    "tick",
-    "to_send",
-    "turn",
-]
 
 _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 
@@ -93,7 +69,7 @@ def look(text: str, expression: str = "") -> str:
     Returns:
         The answer: see `Input.answer`.
     """
-    *_, last = _look(text, expression)
+    *_, last = _read("look", text, expression)
     return json.dumps(last["answer"])
 
 
@@ -108,10 +84,10 @@ def start(name: str, *given: Any) -> str:
     Returns:
         The number of the job, for `go_on`.
     """
+    number = next(_numbers)
     if name != "timeline":
         _jobs.clear()
-    number = next(_numbers)
-    _jobs[number] = _LONG[name](*given)
+    _jobs[number] = _now.timeline() if name == "timeline" else _read(name, *given)
     return json.dumps(number)
 
 
@@ -124,10 +100,6 @@ def give_up() -> str:
     """Ends what takes long."""
     _jobs.clear()
     return "null"
-
-
-def _look(text: str, expression: str = "") -> Steps:
-    return _read(expression, lambda made: made.type(text))
 
 
 def place(name: str) -> str:
@@ -145,27 +117,15 @@ def _path(name: str) -> Path:
     return Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
 
 
-def _open_file(name: str, expression: str = "") -> Steps:
-    """Reads a file that has its place."""
-    return _read(expression, lambda made: made.open(_path(name)))
-
-
-def _read(expression: str, read: Callable[[Input], Steps]) -> Steps:
+def _read(call: str, given: str, expression: str = "") -> Steps:
+    """Reads a text, or a file that has its place."""
     global _now
     try:
         wanted = compile_filter(expression) if expression.strip() else None
     except FilterError as error:
         return iter([{"answer": Input().answer() | {"error": f"the filter: {error}\n"}}])
     _now = Input(wanted)
-    return read(_now)
-
-
-_LONG: dict[str, Callable[..., Steps]] = {"look": _look, "open_file": _open_file, "timeline": lambda: _now.timeline()}
-
-
-def complete(before: str) -> str:
-    """Returns the completions at the cursor: see `completions`."""
-    return json.dumps(completions(before))
+    return _now.type(given) if call == "look" else _now.open(_path(given))
 
 
 def _asks(name: str) -> Callable[..., str]:
@@ -266,6 +226,5 @@ def stop_motors() -> str:
         _real.stop_motors()
         return "null"
     _virtual().stop()
-    stopping = Input()
-    list(stopping.type(_STOP))
-    return play(json.dumps(stopping.to_send()))
+    (stopping,) = assembled(_STOP)
+    return json.dumps(_virtual().send(stopping.build()))

@@ -1,8 +1,10 @@
-"""The timeline of an input: it is read again for it, in steps."""
+"""What takes long, and is done in steps; and the timeline of an input, which is read again for it."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
+from typing import Any
 
 from ev3proto.capture.record import Announcement, Record, Skipped
 from ev3proto.capture.timeline import Form, Timeline, collect_in_steps, render
@@ -10,7 +12,11 @@ from ev3proto.reading.given import Given
 from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
 
-from .steps import OFTEN, Steps
+OFTEN = 0.05
+"""Seconds between two steps."""
+
+Steps = Iterator[dict[str, Any]]
+"""The steps: `part` and `count` of what was read so far, or an `answer`; the last one is final."""
 
 MOST_MARKS = 4000
 """Maximum number of marks in the timeline, which the page draws at once; more are counted in bins of time."""

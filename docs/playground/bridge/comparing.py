@@ -28,23 +28,9 @@ class Comparison:
     """The commands of a capture, sent again one after the other, and the answers that differ."""
 
     def __init__(
-        self,
-        connection: Connection,
-        watch: Watch,
-        tell: Callable[..., object],
-        capture: bytes,
-        *,
-        computes: bool,
+        self, connection: Connection, watch: Watch, tell: Callable[..., object], capture: bytes, *, computes: bool
     ) -> None:
-        """Plans it; `next` begins.
-
-        Args:
-            connection: The connection to the brick.
-            watch: Knows the firmware.
-            tell: Takes news for the page.
-            capture: A capture of the virtual brick.
-            computes: Whether to send also what only computes.
-        """
+        """Plans it for a capture of the virtual brick; `next` begins. `computes`: also send what only computes."""
         allowed = frozenset({Harm.COMPUTING} if computes else ())
         events = read(CaptureFile(io.BytesIO(capture))).events()
         self._steps = [step for step, harms in plan(steps(dialogues(events)), allowed) if not harms]
@@ -52,8 +38,7 @@ class Comparison:
         self._watch = watch
         self._tell = tell
         self._replay = Replay(allowed)
-        self._at = self._sent = 0
-        self._silent = 0
+        self._at = self._sent = self._silent = 0
         self._differences: list[dict[str, Any]] = []
         self._is_over = False
 
@@ -88,7 +73,9 @@ class Comparison:
                     "recorded": None if step.reply is None else step.reply.frame.hex(),
                     "answered": None if reply is None else reply.hex(),
                     "difference": difference,
-                    "answer": "no answer" if reply is None else _summary(reply, frame),
+                    "answer": "no answer"
+                    if reply is None
+                    else "; ".join(plain_text(line).strip() for line in reply_lines(reply, frame)),
                 }
             )
         if self._silent == MOST_SILENT:
@@ -112,7 +99,3 @@ class Comparison:
                 "differences": self._differences,
             }
         )
-
-
-def _summary(reply: bytes, command: bytes) -> str:
-    return "; ".join(plain_text(line).strip() for line in reply_lines(reply, command))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import json
 import re
-from typing import Any
 
 from ev3proto.errors import near_names
 from ev3proto.semantics.domain import comment
@@ -17,14 +17,14 @@ _WORD = re.compile(r"[A-Za-z_][\w.]*$")
 _PREFIXED = re.compile(r"op[A-Z]")
 
 
-def completions(before: str) -> dict[str, Any]:
+def complete(before: str) -> str:
     """Returns the completions at the cursor.
 
     Args:
         before: The line up to the cursor.
 
     Returns:
-        For JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show;
+        JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show;
         `hint` about the parameter at the cursor.
     """
     word, prefix, hint, options = _place(before)
@@ -36,7 +36,7 @@ def completions(before: str) -> dict[str, Any]:
         words = [(each, f"{each}: did you mean this?") for each in meant(before)]
     if len(words) > MOST_COMPLETIONS:
         hint = f"... and {len(words) - MOST_COMPLETIONS} more: type more letters"
-    return {"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint}
+    return json.dumps({"word": word, "words": words[:MOST_COMPLETIONS], "hint": hint})
 
 
 def meant(before: str) -> list[str]:

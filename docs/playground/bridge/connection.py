@@ -8,7 +8,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from ev3proto.bounded import Bounded
 from ev3proto.generate.captures.recording import Recording
@@ -19,6 +18,8 @@ from ev3proto.schema.header import HEADER_SIZE, Header, frame_size
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.frame import COUNTERS, LENGTH_FIELD, MessageType
 
+from .answers import Answers
+
 PATIENCE = 5.0
 """Seconds after which a command counts as unanswered. A later answer is told all the same."""
 
@@ -28,7 +29,6 @@ MOST_RECORDED = 1 << 26
 MOST_LATE = 256
 
 _KEY = 0
-
 
 Done = Callable[[Outcome, float, str], object]
 """Takes the outcome of a talk, the milliseconds of its last command, and the reason why that has no answer."""
@@ -54,21 +54,6 @@ class Command:
     deadline: float = 0.0
 
 
-class Listener(NamedTuple):
-    """Who hears of a connection.
-
-    carry    takes a frame for the brick, in hex
-    late     takes a command that kept its counter, a reply that came too late, and the milliseconds that it took
-    unasked  takes a frame that the brick sent by itself
-    wrong    takes the reason why a command could not be sent
-    """
-
-    carry: Callable[[str], object]
-    late: Callable[[bytes, bytes, float], object]
-    unasked: Callable[[bytes], object]
-    wrong: Callable[[str], object]
-
-
 class Connection:
     """A connection to a brick. JavaScript moves the bytes.
 
@@ -76,9 +61,11 @@ class Connection:
     is_open  whether it is there
     """
 
-    def __init__(self, carrier: Carrier, listener: Listener) -> None:
+    def __init__(self, carrier: Carrier, carry: Callable[[str], object], answers: Answers) -> None:
+        """Begins it. `carry` takes a frame for the brick, in hex; `answers` show what no command waits for."""
         self.carrier = carrier
-        self._listener = listener
+        self._carry = carry
+        self._answers = answers
         # Other tabs and programs may see the same replies: their counters should differ.
         self._session = Session(random.randrange(COUNTERS))
         self._waiting: deque[Command] = deque()
@@ -124,12 +111,11 @@ class Connection:
         self.advance()
 
     def _stray(self, event: Stray, at: float) -> None:
-        if event.oddity is Oddity.LATE:
-            command = self._late.pop(Header.read(event.frame).counter, None)
-            if command is not None and command.is_kept:
-                self._listener.late(command.frame, event.frame, at - command.sent)
-        elif event.oddity is Oddity.UNASKED:
-            self._listener.unasked(event.frame)
+        if event.oddity is Oddity.UNASKED:
+            self._answers.unasked(event.frame)
+        late = self._late.pop(Header.read(event.frame).counter, None) if event.oddity is Oddity.LATE else None
+        if late is not None and late.is_kept:
+            self._answers.late(late.frame, event.frame, at - late.sent)
 
     def _record(self, frame: bytes, is_sent: bool) -> None:
         if self._file.tell() < MOST_RECORDED:
@@ -156,23 +142,24 @@ class Connection:
         """Sends commands until one waits for its reply."""
         while self.is_open and self._now is None and self._waiting:
             command = self._waiting.popleft()
+            frame = command.frame
             try:
-                request = command.request = self._begun(command)
+                request = (
+                    self._session.adopt(frame)
+                    if command.is_kept
+                    else self._session.command(MessageType(Header.read(frame).type), frame[HEADER_SIZE:])
+                )
             except LinkError as error:
-                self._listener.wrong(str(error))
+                self._answers.wrong(str(error))
                 continue
+            command.request = request
             self._record(request.frame, True)
             if request.wants_reply:
                 self._now = command
                 command.deadline = time.monotonic() + PATIENCE
-            self._listener.carry(request.frame.hex())
+            self._carry(request.frame.hex())
             if not request.wants_reply:
                 command.answered(None, 0.0, "")
-
-    def _begun(self, command: Command) -> Request:
-        if command.is_kept:
-            return self._session.adopt(command.frame)
-        return self._session.command(MessageType(Header.read(command.frame).type), command.frame[HEADER_SIZE:])
 
     def forget(self) -> None:
         """Forgets the commands that wait."""
@@ -182,7 +169,7 @@ class Connection:
         """Sends a command that wants no reply before all others. Returns its frame."""
         frame = self._session.command(kind, body).frame
         self._record(frame, True)
-        self._listener.carry(frame.hex())
+        self._carry(frame.hex())
         return frame
 
     def close(self, reason: str) -> None:

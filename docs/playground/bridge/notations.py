@@ -1,8 +1,9 @@
-"""The frames of an input in the notations of programs."""
+"""The frames of an input in the notations of programs, and those that are sent to a brick."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from ev3proto.dialogue import Exchange
 from ev3proto.messages import Message
@@ -17,6 +18,9 @@ MOST_SHOWN = 200_000
 FEW = 200
 """Frames whose notations are in the answer; those of more are rendered when they are opened."""
 
+MOST_SENT = 100
+"""Maximum number of frames sent to a brick at once."""
+
 LESSON = "lesson"
 FORMS: dict[str, Callable[[Message, str], str]] = {
     LESSON: lambda message, _: as_hex(message),
@@ -30,17 +34,27 @@ FORMS: dict[str, Callable[[Message, str], str]] = {
 }
 
 
-class Notations:
-    """The frames that are shown, and the number of all."""
+class Frames:
+    """The frames that are shown, the commands that are sent, and the numbers of all.
+
+    image  of the program, which is sent in their place
+    """
 
     def __init__(self) -> None:
+        self.image: bytes | None = None
+        self._commands: list[bytes] = []
+        self._commands_in_all = 0
         self._frames: list[bytes] = []
         self._lesson: list[str] = []
         self._left = MOST_SHOWN
         self._count = 0
 
     def add(self, message: Message, frame: bytes) -> None:
-        """Takes a frame."""
+        """Takes a frame, which is sent if it is a command."""
+        if message.type is not None and message.type.is_command:
+            self._commands_in_all += 1
+            if len(self._commands) < MOST_SENT:
+                self._commands.append(frame)
         self._count += 1
         if self._left > 0:
             self._frames.append(frame)
@@ -63,3 +77,13 @@ class Notations:
         """Returns the frames in the lesson's notation, and if they are few, in all."""
         forms = FORMS if is_whole and len(self._frames) <= FEW else (LESSON,)
         return {form: self.made(form) for form in forms}
+
+    def to_send(self) -> dict[str, Any]:
+        """Returns what is sent, for JSON: frames in hex and their number, or a program; and an error."""
+        is_program = self.image is not None
+        return {
+            "frames": [] if is_program else [frame.hex() for frame in self._commands],
+            "count": 0 if is_program else self._commands_in_all,
+            "program": None if self.image is None else self.image.hex(),
+            "error": "" if is_program or self._commands else "The input has no command to send.",
+        }

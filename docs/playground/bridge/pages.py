@@ -16,15 +16,17 @@ from ev3proto.program.listing import listing
 from ev3proto.reading.items import Image
 from ev3proto.reading.lines import announcement_line, message_lines, record_seen
 from ev3proto.text.phrases import command_spans, reply_spans
-from ev3proto.text.spans import Line, plain_text
+from ev3proto.text.spans import Line, Role, plain_text
 
-from .rows import Rows
+from .rows import pieces
 
 MOST_FRAMES, MOST_BYTES = 200, 10_000
 """Maximum numbers of frames on a page, and of their bytes; a longer frame has a page of its own."""
 
 MOST_SHOWN = 400_000
 """Maximum characters of a page: a long program has more."""
+
+MORE = "... and many more lines; ev3proto on the command line shows all"
 
 MOST_AHEAD = 100
 """Maximum number of frames behind a page among which replies to its commands are looked for."""
@@ -94,14 +96,11 @@ class Pages:
         return self._last[1]
 
     def _rendered(self, which: range) -> dict[str, Any]:
-        rows = Rows(MOST_SHOWN)
         items = self._items[which.start : which.stop]
-        for number, item in enumerate(items, which.start):
-            rows.add(self._lines(item), -1 if isinstance(item, Announcement) else number)
         frames = {number: item for number, item in enumerate(items, which.start) if not isinstance(item, Announcement)}
         before = sum(not isinstance(item, Announcement) for item in self._items[: which.start])
         return {
-            "lines": rows.answer(),
+            "lines": list(self._rows(items, which.start)),
             "frames": {number: _bytes_of(item).hex() for number, item in frames.items()},
             "rows": [self._dialogue_row(pair) for pair in self._dialogues(which)],
             "page": {
@@ -111,6 +110,18 @@ class Pages:
                 "end": before + len(frames),
             },
         }
+
+    def _rows(self, items: list[Item], start: int) -> Iterator[list[Any]]:
+        """Yields the lines of items, and a last one if there are more than are shown."""
+        left = MOST_SHOWN
+        for number, item in enumerate(items, start):
+            for line in self._lines(item) if left > 0 else ():
+                found = pieces(line)
+                is_about = line.offset is not None and not isinstance(item, Announcement)
+                yield [found, number, line.offset, line.length] if is_about else [found, -1, 0, 0]
+                left -= sum(len(piece[0]) for piece in found) + 1
+        if left <= 0:
+            yield [[[MORE, Role.ASIDE]], -1, 0, 0]
 
     def _lines(self, item: Item) -> Iterator[Line]:
         if isinstance(item, Announcement):

@@ -24,16 +24,14 @@ from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
 from ev3proto.text.paste import read_text
 
-from .charting import timeline
+from .charting import OFTEN, Steps, timeline
 from .complaints import Complaints
 from .findings import Findings
 from .headline import headline, label
-from .notations import FEW, Notations
-from .outgoing import Outgoing
+from .notations import FEW, Frames
 from .overview import Overview, is_reply
 from .pages import Pages
 from .proposals import bare, proposals
-from .steps import OFTEN, Steps
 
 MOST_WARNINGS = 20
 """Maximum number of warnings about a program's source."""
@@ -52,8 +50,8 @@ class Input:
     """One input, and what is shown of it.
 
     page     returns the page that has a frame, by its number: see `Pages.page`
-    made     returns the frames in a notation: see `Notations.made`
-    to_send  returns what is sent to a brick: see `Outgoing.answer`
+    made     returns the frames in a notation: see `Frames.made`
+    to_send  returns what is sent to a brick: see `Frames.to_send`
     """
 
     def __init__(self, wanted: Filter | None = None) -> None:
@@ -62,9 +60,8 @@ class Input:
         self._pages = Pages()
         self._findings = Findings()
         self._complaints = Complaints()
-        self._notations = Notations()
-        self._outgoing = Outgoing()
-        self.page, self.made, self.to_send = self._pages.page, self._notations.made, self._outgoing.answer
+        self._frames = Frames()
+        self.page, self.made, self.to_send = self._pages.page, self._frames.made, self._frames.to_send
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._bare: tuple[Headline, Proposal] | None = None
         self._reading = Reading([], Options())
@@ -170,8 +167,7 @@ class Input:
 
     def _frame(self, record: Record, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
         """Takes a frame, which has a number on the pages."""
-        self._outgoing.add(record.message, record.frame)
-        self._notations.add(record.message, record.frame)
+        self._frames.add(record.message, record.frame)
         if is_reply(record):
             self._findings.reply(record, place)
         else:
@@ -207,7 +203,7 @@ class Input:
 
     def _image(self, image: Image) -> None:
         """Takes the image of a program."""
-        self._overview.image = self._outgoing.image = image.data
+        self._overview.image = self._frames.image = image.data
         with suppress(DecodeError):  # which is among the findings
             self._overview.objects = len(parse_program(image.data, strict=False).objects)
             self._show(image)
@@ -246,7 +242,7 @@ class Input:
             "isProgram": is_program,
             "findings": self._findings.answer(),
             "found": {each.number: each.report.frame.hex() for each in self._findings.frames},
-            "made": self._notations.all(is_whole=is_whole and not is_program),
+            "made": self._frames.all(is_whole=is_whole and not is_program),
             "dialogues": 0 if count == 1 and overview.is_text else self._pages.dialogues,
             **self.page(0),
         }

@@ -8,18 +8,23 @@ from collections.abc import Callable
 from typing import Any
 
 from ev3proto.compose import Draft
+from ev3proto.link import file_moves
 from ev3proto.link.commands import SyncMode, direct
+from ev3proto.link.errors import LinkError
+from ev3proto.link.file_moves import Task
+from ev3proto.link.policy import Outcome, Talk
 from ev3proto.messages import LV
 from ev3proto.ops import com_set, file, program_start, program_stop
+from ev3proto.schema.frame import parse
 from ev3proto.schema.header import build_frame
+from ev3proto.semantics.transfers import Listing
 from ev3proto.tables.carriers import Carrier
 from ev3proto.tables.enumerations import SLOT
 
 from .answers import Answers
-from .brick_files import move
 from .commands import Commands
 from .comparing import Comparison
-from .connection import Connection, Listener
+from .connection import Connection
 from .watching import DIALECT, Watch
 
 PROGRAM = "/home/root/lms2012/prjs/playground/playground.rbf"
@@ -35,6 +40,14 @@ PANEL: dict[str, Callable[[str], list[Draft]]] = {
     "stop": lambda _: [program_stop(_USER_SLOT)],
 }
 """What can be done with the brick and its programs, as operations."""
+
+FILES: dict[str, Callable[[str, bytes], Task[Any]]] = {
+    "list": lambda path, _: file_moves.list_dir(path),
+    "fetch": lambda path, _: file_moves.upload(path),
+    "put": lambda path, data: file_moves.download(data, path),
+    "delete": lambda path, _: file_moves.delete(path),
+}
+"""What can be done with files."""
 
 
 class RealBrick:
@@ -52,11 +65,9 @@ class RealBrick:
             tell: Takes news for the page, as JSON.
         """
         self._news = tell
-        answers = Answers(self._tell, lambda: self.connection.is_idle)
-        listener = Listener(carry, answers.late, answers.unasked, answers.wrong)
-        self.connection = Connection(Carrier(carrier), listener)
-        self._answers = answers
-        self._commands = Commands(self.connection, answers)
+        self._answers = Answers(self._tell, lambda: self.connection.is_idle)
+        self.connection = Connection(Carrier(carrier), carry, self._answers)
+        self._commands = Commands(self.connection, self._answers)
         self.send = self._commands.send
         self.sent = self.connection.sent
         self.heard = self.connection.heard
@@ -113,7 +124,7 @@ class RealBrick:
             return self.send([bytes.fromhex(frame) for frame in wanted["frames"]], is_allowed=is_allowed)
         if not is_allowed:
             return {"ask": [f"Writes {PROGRAM} on the brick, and starts it."]}
-        self._move("put", PROGRAM, bytes.fromhex(wanted["program"]), lambda: self.panel("start", PROGRAM, True))
+        self.files("put", PROGRAM, bytes.fromhex(wanted["program"]), lambda: self.panel("start", PROGRAM, True))
         return {}
 
     def panel(self, action: str, text: str, is_allowed: bool) -> dict[str, Any]:
@@ -121,19 +132,37 @@ class RealBrick:
         prepared = direct(PANEL[action](text), 0, 0, SyncMode.SYNC, DIALECT)
         return self.send([build_frame(prepared.kind, 0, prepared.body)], is_allowed=is_allowed)
 
-    def files(self, action: str, path: str, data: bytes) -> None:
-        """Does something with a file: see `move`. The page hears what came of it."""
-        self._move(action, path, data, lambda: None)
+    def files(self, action: str, path: str, data: bytes, then: Callable[[], object] = lambda: None) -> None:
+        """Does something with a file. The page hears what came of it: `action`, `path`, `error`, `result`.
 
-    def _move(self, action: str, path: str, data: bytes, then: Callable[[], object]) -> None:
-        """Does something with a file, and then something else if that succeeds."""
+        Args:
+            action: One of FILES.
+            path: The folder or file.
+            data: What is written.
+            then: Called if that succeeds.
+        """
+        task = FILES[action](path, data)
+        said: dict[str, Any] = {"action": action, "path": path, "error": ""}
 
-        def done(said: dict[str, Any]) -> None:
+        def talk() -> Talk:
+            try:
+                command = next(task)
+                while (reply := (yield command.build())) is not None:
+                    command = task.send(parse(reply, strict=False))
+                said["error"] = "the brick does not answer"
+            except StopIteration as end:
+                said["result"] = _as_json(end.value)
+            except LinkError as error:
+                said["error"] = str(error)
+            return Outcome()
+
+        def done(*_: object) -> None:
             self._tell(files=said)
             if not said["error"]:
                 then()
 
-        move(self.connection, action, path, data, done)
+        self.connection.converse(talk(), done)
+        self.connection.advance()
 
     # The comparison with the virtual brick
 
@@ -153,3 +182,10 @@ class RealBrick:
         """Ends a comparison early."""
         if self._comparison is not None:
             self._comparison.end(reason)
+
+
+def _as_json(value: Any) -> Any:
+    """Returns what a task found: a folder's names, with sizes of files, or the bytes of a file in base64."""
+    if isinstance(value, Listing):
+        return {"folders": value.folders, "files": [[each.name, each.size] for each in value.files]}
+    return base64.b64encode(value).decode() if isinstance(value, bytes) else None

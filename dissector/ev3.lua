@@ -5839,10 +5839,21 @@ do
         return pinfo.p2p_dir == P2P_DIR_SENT
     end
 
+    -- Ends a packet that is a command with a wrong length: the other side sends, so nothing more belongs to it.
+    local function end_answered(conversation, stream)
+        local alone = #(stream.list or {}) == 1 and stream.alone
+        if not alone or not finding.slip_of(stream.left, 0, #stream.left, true) then return end
+        dialogues.take_note(alone.place, conversation, messages.read_at(stream.left, 0), alone)
+        clear(stream)
+    end
+
     -- Makes the record of a packet in the first pass, if it is ours.
     local function first_look(conversation, stream, piece, missing, offset, pinfo)
         if not claiming.is_claimed(conversation) then
             return claim(conversation, stream, piece, missing, offset, pinfo)
+        end
+        for _, side in ipairs(conversation.sides) do
+            if side ~= stream then end_answered(conversation, side) end
         end
         local accepts = is_to_brick(conversation, stream, pinfo) and is_command or is_from_brick
         packets[pinfo.number] = { accepts = accepts, step = stream.step == "lost" and "lost" or nil }
@@ -5884,6 +5895,9 @@ do
                 if size > 0 then
                     stream.left, stream.list = sub(text, after + 1), { number }
                     packet.begun = stream.list
+                    local is_alone = after == math.max(joint, packet.start or 0)
+                    local place = storage.place_of(number, whole:offset() + after)
+                    stream.alone = is_alone and { place = place, rel_ts = pinfo.rel_ts }
                 end
                 stream.step = state.step
                 claiming.count(conversation, state.lost, number)
@@ -6378,4 +6392,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 0c00a8692603239c
+-- Checksum of the lines above, by which a changed file is recognised: 67de33baccd48ef6

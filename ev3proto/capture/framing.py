@@ -128,7 +128,7 @@ class Cutter:
 
     def answered(self) -> list[StreamPart]:
         """Returns a pending command with a wrong length: the other side sends, so nothing more belongs to it."""
-        if self._may_gap or len(self._marks) != 1 or self._slip_at(self._buffer.pending, 0, is_last=True) is None:
+        if len(self._marks) != 1 or self._slip_at(self._buffer.pending, 0, is_last=True) is None:
             return []
         return self._cut(is_last=True)
 

@@ -71,10 +71,16 @@ def test_a_length_that_counts_itself_is_named(tshark: Tshark, link: int) -> None
     assert [problem for problem in problems if "cut off" not in problem] == [LEFT_OVER % "8 bytes"] * (not over_tcp) * 2
 
 
-def test_a_lone_frame_with_a_wrong_length_is_named_with_its_reply(tshark: Tshark) -> None:
-    """As the first and only one of a TCP connection; a right frame that is split there is joined."""
-    capture = Capture(RAW_IP)
-    alone, refused, split, inside = (Connection(capture, 10_000 + number) for number in range(4))
+@pytest.mark.parametrize("link", [RAW_IP, HCI_WITH_DIRECTION])
+def test_a_lone_frame_with_a_wrong_length_is_named_with_its_reply(tshark: Tshark, link: int) -> None:
+    """As the first and only one of a connection; a right frame that is split there is joined."""
+    capture = Capture(link)
+    alone, refused, split, inside = (
+        Connection(capture, 10_000 + number)
+        if link == RAW_IP
+        else SerialPort(capture, connection=number, address=bytes([number] * 6))
+        for number in range(4)
+    )
     right = bytes.fromhex("0A00 0700 80 0000 A60001 8400")
     wrong = [alone.send(counting_itself(voltage(1)))]
     for counter in (2, 3):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import groupby, pairwise
 from typing import Any, NamedTuple
@@ -40,6 +41,7 @@ class Findings:
     """The findings in all frames, as they are read.
 
     checked     the number of frames for the brick
+    count       the number of those whose worst finding has a severity
     refused     the number of those that it refuses
     replies     the number of frames from the brick, which are not checked
     failed      the number of those that say that a command failed
@@ -50,9 +52,9 @@ class Findings:
     def __init__(self) -> None:
         self.checked = self.refused = 0
         self.replies = self.failed = self.faulty = 0
+        self.count: Counter[Severity] = Counter()
         self.programs: list[ProgramReport] = []
         self._frames: dict[Severity, list[Checked]] = {severity: [] for severity in Severity}
-        self._left_out = dict.fromkeys(Severity, 0)
         self._last: Checked | None = None
         self._others: list[tuple[str, Severity]] = []
 
@@ -65,10 +67,9 @@ class Findings:
         if not report.findings:
             return
         worst = next(severity for severity in Severity if report.of(severity))
-        if len(self._frames[worst]) < MOST_FRAMES:
+        self.count[worst] += 1
+        if self.count[worst] <= MOST_FRAMES:
             self._frames[worst].append(checked)
-        else:
-            self._left_out[worst] += 1
 
     def reply(self, record: Record, place: str) -> None:
         """Takes a frame from the brick."""
@@ -93,10 +94,6 @@ class Findings:
             return [self._last._replace(report=alone)] if alone.findings else []
         return [each for severity in Severity for each in self._frames[severity]]
 
-    def count(self, severity: Severity) -> int:
-        """Returns the number of frames whose worst finding has a severity."""
-        return len(self._frames[severity]) + self._left_out[severity]
-
     def answer(self) -> list[dict[str, Any]]:
         """Returns the findings for JSON: each with lines, severity, codes, frame, line of the text, offset, length."""
         shown = [_block([Line([(text, Role.PLAIN)])], None, severity) for text, severity in self._others]
@@ -104,9 +101,9 @@ class Findings:
             shown += _program_blocks(report)
         for each in self.frames:
             shown += _blocks(each)
-        for severity, count in self._left_out.items():
-            if count:
-                text = f"... and {counted(count, 'more frame')} with {severity}s"
+        for severity in Severity:
+            if (left := self.count[severity] - MOST_FRAMES) > 0:
+                text = f"... and {counted(left, 'more frame')} with {severity}s"
                 shown.append(_block([Line([(text, Role.ASIDE)])], None))
         return shown
 
@@ -127,22 +124,18 @@ def _program_blocks(report: ProgramReport) -> Iterator[dict[str, Any]]:
         yield _block(lines, checked)
 
 
-def _severity(code: str) -> str:
-    return str((CODES.get(code) or PROGRAM_CODES[code]).severity)
-
-
 def _block(lines: Iterable[Line], checked: Checked | None, severity: str = "") -> dict[str, Any]:
     """Returns lines with what they are about: a finding, by its code and offset, or the whole frame."""
     shown = list(lines)
-    codes = list(dict.fromkeys(line.code for line in shown if line.code))
     at, length = 0, 0 if checked is None else len(checked.report.frame)
     about = next((line for line in shown if line.code), None)
     if about is not None and about.offset is not None:
-        at, length, severity = about.offset, about.length or 1, _severity(about.code)
+        at, length = about.offset, about.length or 1
+        severity = (CODES.get(about.code) or PROGRAM_CODES[about.code]).severity
     return {
         "lines": [pieces(line) for line in shown],
         "severity": severity,
-        "codes": codes,
+        "codes": list(dict.fromkeys(line.code for line in shown if line.code)),
         "frame": -1 if checked is None else checked.number,
         "line": 0 if checked is None else checked.line,
         "offset": at,

@@ -25,7 +25,6 @@ from ev3proto.text.assembly.recognising import OBJECT
 from ev3proto.text.paste import read_text
 
 from .charting import OFTEN, Steps, timeline
-from .complaints import Complaints
 from .findings import Findings
 from .headline import headline, label
 from .notations import FEW, Frames
@@ -59,7 +58,6 @@ class Input:
         self._overview = Overview(is_chosen=wanted is not None)
         self._pages = Pages()
         self._findings = Findings()
-        self._complaints = Complaints()
         self._frames = Frames()
         self.page, self.made, self.to_send = self._pages.page, self._frames.made, self._frames.to_send
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
@@ -162,7 +160,7 @@ class Input:
         written, number = record.written, self._show(record)
         if written is None:
             self._frame(record, number, str(record.place), 0, carrier=str(record.carrier))
-        elif not record.missing and not (written.is_typed and self._complaints.count):
+        elif not record.missing and not (written.is_typed and self._overview.unread):
             self._frame(record, number, "" if written.is_typed else str(record.place), record.number)
 
     def _frame(self, record: Record, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
@@ -215,7 +213,7 @@ class Input:
         if problem.severity is not Severity.ERROR:
             self._findings.say(str(problem), problem.severity)
         elif self._overview.text is None or not (is_other or problem.code is ProblemCode.EMPTY):
-            self._complaints.add(problem)  # else the headline says that the text has no frame
+            self._overview.complain(problem)  # else the headline says that the text has no frame
 
     # The answer
 
@@ -236,8 +234,8 @@ class Input:
         overview.frames, overview.is_text = count, self._reading.part.is_text
         is_program = overview.image is not None
         return {
-            "headline": headline(self._bare[0] if self._bare else overview.headline(self._findings, self._complaints)),
-            "error": self._complaints.text(),
+            "headline": headline(self._bare[0] if self._bare else overview.headline(self._findings)),
+            "error": overview.complaints(),
             "count": count,
             "isProgram": is_program,
             "findings": self._findings.answer(),
@@ -256,13 +254,13 @@ class Input:
         found = (
             [self._bare[1]]
             if self._bare
-            else proposals(text, self._wrong(), [] if has_frame else self._complaints.shown)
+            else proposals(text, self._wrong(), [] if has_frame else self._overview.problems)
         )
         has_lines = "\n" in text.strip()
         return [{"label": label(each, has_lines=has_lines), "text": each.text} for each in found]
 
     def _wrong(self) -> dict[int, bytes | None]:
         """Returns the lines of a text that are wrong, each with the frame in it, if there is one."""
-        unread = [problem.place.line or 1 for problem in self._complaints.shown if problem.code is ProblemCode.TEXT]
+        unread = [problem.place.line or 1 for problem in self._overview.problems if problem.code is ProblemCode.TEXT]
         found: dict[int, bytes | None] = {each.line or 1: each.report.frame for each in self._findings.frames}
         return found | dict.fromkeys(unread or ([] if self._overview.first is not None else [1]))

@@ -14,7 +14,7 @@ import { change, state } from "./state.js";
 /** @typedef {import("./answer.js").Answer} Answer */
 /** @typedef {import("./places.js").Target} Target */
 /** @typedef {{name: string, offset: number, length: number, text: string}} Part  a field of a header */
-/** @typedef {{sentence: string, parts: Part[], bytes: string[]}} About  what a frame says in words, see bridge/explaining.py */
+/** @typedef {{sentence: string, parts: Part[], bytes: string[]}} About  what a frame says in words, see bridge/words.py */
 
 const COLUMNS = 16, FEW_COLUMNS = 8;
 /** The width of a page that has room for all columns, in pixels. */

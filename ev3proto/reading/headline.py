@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ev3proto.checking.report import Report
 from ev3proto.dialogue import Exchange
+from ev3proto.messages import Message
 
 
 class Subject(StrEnum):
@@ -29,6 +30,9 @@ class Subject(StrEnum):
     PROGRAM = "program"
 
 
+NOTHING = Exchange(Message())
+
+
 class Headline(NamedTuple):
     """What is said first about an input.
 
@@ -42,7 +46,7 @@ class Headline(NamedTuple):
     faulty    the replies with a fault, or with bytes after them
     unread    the number of its pieces that cannot be read
     read      the frames among which a filter chose; the bytes of a program
-    exchange  its only message
+    exchange  its only message; NOTHING for none or several
     missing   bytes at the end of that message that the input has left out
     rest      the number of bytes after it
     worst     the report on the first of the worst frames, or on the program; None if there is nothing to report
@@ -59,7 +63,7 @@ class Headline(NamedTuple):
     faulty: int = 0
     unread: int = 0
     read: int = 0
-    exchange: Exchange | None = None
+    exchange: Exchange = NOTHING
     missing: int = 0
     rest: int = 0
     worst: Report | None = None

@@ -23,7 +23,7 @@ from urllib.request import urlopen
 
 import pytest
 from playground.bridge import watching
-from playground.bridge.rows import _LINKS
+from playground.bridge.words import _LINKS
 from selenium.common.exceptions import TimeoutException
 from selenium.webdriver import ActionChains, Chrome, Keys
 from selenium.webdriver.common.by import By

@@ -9,6 +9,7 @@ import json
 import random
 import re
 from collections.abc import Callable
+from functools import cache
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -23,13 +24,11 @@ from ev3proto.text.paste import read_argument
 from ev3proto.text.phrases import MACROS, Seen, heading
 from ev3proto.text.spans import plain_text, visible
 
-from .charting import Steps
-from .completing import complete as complete
-from .explaining import about as about
-from .explaining import explain as explain
-from .notations import MOST_SENT
-from .reading import Input
+from .reading import Input, Steps
 from .virtual_brick import VirtualBrick
+from .words import about as about
+from .words import complete as complete
+from .words import explain as explain
 
 if TYPE_CHECKING:
     from .real_brick import RealBrick
@@ -38,17 +37,13 @@ _FILE_NAME = re.compile(r"\w[\w .()-]{0,80}", re.ASCII)
 
 _STOP = "OUTPUT_STOP(0, A+B+C+D, 1)"
 
-_folder: TemporaryDirectory[str] | None = None
-_brick: VirtualBrick | None = None
-
 
 def begin() -> None:
     """Begins anew: in a Python that comes from a snapshot, files are gone, and random numbers would repeat."""
-    global _folder, _brick
     random.seed()
-    if _folder is not None:
-        _folder.cleanup()
-    _folder = _brick = None
+    _folder().cleanup()
+    _folder.cache_clear()
+    _virtual.cache_clear()
 
 
 # The input
@@ -110,11 +105,14 @@ def place(name: str) -> str:
     return json.dumps(str(path))
 
 
+@cache
+def _folder() -> TemporaryDirectory[str]:
+    return TemporaryDirectory()
+
+
 def _path(name: str) -> Path:
-    global _folder
-    _folder = _folder or TemporaryDirectory()
     is_plain = _FILE_NAME.fullmatch(name) is not None
-    return Path(_folder.name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
+    return Path(_folder().name) / (name if is_plain else f"file{Path(name).suffix if name.isprintable() else ''}")
 
 
 def _read(call: str, given: str, expression: str = "") -> Steps:
@@ -128,12 +126,12 @@ def _read(call: str, given: str, expression: str = "") -> Steps:
     return _now.type(given) if call == "look" else _now.open(_path(given))
 
 
-def _asks(name: str) -> Callable[..., str]:
-    """Returns a function that asks the input."""
-    return lambda *given: json.dumps(getattr(_now, name)(*given))
+def _asks(of: Callable[[], object], name: str) -> Callable[..., str]:
+    """Returns a function that asks the input or the brick."""
+    return lambda *given: json.dumps(getattr(of(), name)(*given))
 
 
-page, made, remedies, to_send = map(_asks, ("page", "made", "proposals", "to_send"))
+page, made, remedies, to_send = (_asks(lambda: _now, name) for name in ("page", "made", "proposals", "to_send"))
 """The page that has a frame, by its number; the frames in a notation; proposals; what there is to send."""
 
 
@@ -151,19 +149,13 @@ def frames_of(operations: str) -> str:
     return json.dumps({"text": answer["made"]["lesson"], "error": answer["error"]})
 
 
-def _plain(value: Any) -> Any:
-    """Returns an argument from JavaScript; arrays as bytes."""
-    return value.to_bytes() if hasattr(value, "to_bytes") and not isinstance(value, int) else value
-
-
 # The virtual brick
 
 
+@cache
 def _virtual() -> VirtualBrick:
     """Returns the brick, which is switched on at its first use."""
-    global _brick
-    _brick = _brick or VirtualBrick()
-    return _brick
+    return VirtualBrick()
 
 
 def tick(seconds: float) -> str:
@@ -176,23 +168,8 @@ def rests() -> bool:
     return _virtual().rests and not (_real is not None and _real.connection.is_open)
 
 
-def act(action: str) -> str:
-    """Runs an action on the virtual brick, given as JSON. Returns the answer for the page."""
-    return _virtual().act(action)
-
-
-def play(sent: str) -> str:
-    """Sends what `to_send` returned to the virtual brick. Returns an error message, or ""."""
-    given = json.loads(sent)
-    if given["error"]:
-        return json.dumps(given["error"])
-    if given["program"] is not None:
-        return json.dumps(_virtual().start(bytes.fromhex(given["program"])))
-    for frame in given["frames"]:
-        if said := _virtual().send(bytes.fromhex(frame)):
-            return json.dumps(said)
-    left = given["count"] - len(given["frames"])
-    return json.dumps(f"Only the first {MOST_SENT} of {given['count']} commands were sent." if left else "")
+act, play = _asks(_virtual, "act"), _asks(_virtual, "play")
+"""See `VirtualBrick`."""
 
 
 # A real brick
@@ -210,8 +187,9 @@ def connect(carrier: str, carry: Callable[[str], object], tell: Callable[[str], 
 
 
 def real(call: str, *given: Any) -> str:
-    """Calls a method of the session with a real brick; null without one. Its answer is JSON."""
-    return json.dumps(None if _real is None else getattr(_real, call)(*map(_plain, given)))
+    """Calls a method of the session with a real brick; null without one. Its answer is JSON; arrays become bytes."""
+    plain = [each.to_bytes() if hasattr(each, "to_bytes") and not isinstance(each, int) else each for each in given]
+    return json.dumps(None if _real is None else getattr(_real, call)(*plain))
 
 
 def turn() -> None:

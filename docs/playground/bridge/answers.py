@@ -10,7 +10,7 @@ from ev3proto.text.phrases import Seen, command_spans
 from ev3proto.text.spans import Role, Spans
 from ev3proto.text.tree import tree
 
-from .rows import pieces
+from .words import pieces
 
 MOST_ANSWERS = 100
 """Answers that are shown."""

@@ -54,8 +54,6 @@ class Comparison:
         self._connection.converse(self._replay.talk(self._steps[self._at]), self._take)
 
     def _take(self, outcome: Outcome, _: float, reason: str) -> None:
-        if self._is_over:
-            return
         step = self._steps[self._at]
         self._at += 1
         if outcome.harms:

@@ -17,7 +17,7 @@ from ev3proto.program.report import ProgramReport, program_findings
 from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
 
-from .rows import pieces
+from .words import pieces
 
 MOST_FRAMES = 100
 """Maximum number of frames of each severity whose findings are shown."""

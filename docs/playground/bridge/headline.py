@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from ev3proto.checking.report import Report, Severity, difference
-from ev3proto.dialogue import Exchange
 from ev3proto.messages import DirectReply
 from ev3proto.program.report import ProgramReport
 from ev3proto.reading.headline import Headline, Proposal, Subject
@@ -14,6 +13,8 @@ from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.phrases import spaced_hex
 from ev3proto.text.sentence import deed, sentence
 from ev3proto.text.spans import visible
+
+from .overview import is_answer
 
 NONE, TAKES, REFUSES = "none", "takes", "refuses"
 
@@ -55,7 +56,6 @@ def _counted(count: int, noun: str) -> str:
 
 
 def _frame(known: Headline) -> str:
-    assert known.exchange is not None
     message, done = known.exchange.message, deed(known.exchange)
     if known.missing:
         return sentence(known.exchange, known.missing)
@@ -66,12 +66,10 @@ def _frame(known: Headline) -> str:
 
 
 def _part(known: Headline) -> str:
-    assert known.exchange is not None
     return _frame(known) if known.exchange.message.type is None else "A frame that cannot be read to its end."
 
 
 def _reply(known: Headline) -> str:
-    assert known.exchange is not None
     message, done = known.exchange.message, deed(known.exchange)
     is_error = message.type is not None and message.type.is_error
     name = "An error reply" if is_error else "A reply"
@@ -94,25 +92,12 @@ def _many(name: str) -> Callable[[Headline], str]:
     return said
 
 
-def _bare(known: Headline) -> str:
-    assert known.exchange is not None
-    name, then = ("reply", ", which") if _is_reply(known.exchange) else ("frame", ":")
-    return f"A {name} without its {_LACKS[known.subject].partition(' ')[0]}{then} {deed(known.exchange)}."
+def _bare(lacks: str) -> Callable[[Headline], str]:
+    def said(known: Headline) -> str:
+        name, then = ("reply", ", which") if is_answer(known.exchange.message) else ("frame", ":")
+        return f"A {name} {lacks}{then} {deed(known.exchange)}."
 
-
-def _is_reply(exchange: Exchange) -> bool:
-    return exchange.message.type is not None and not exchange.message.type.is_command
-
-
-def _lettered(known: Headline) -> str:
-    assert known.exchange is not None
-    return f"A frame with letters for digits: {deed(known.exchange)}."
-
-
-_LACKS = {
-    Subject.NO_HEADER: "header first: length, counter, type and memory",
-    Subject.NO_LENGTH: "length first",
-}
+    return said
 
 
 def _mistaken(name: str) -> Callable[[Headline], str]:
@@ -123,7 +108,6 @@ def _mistaken(name: str) -> Callable[[Headline], str]:
 
 
 def _of_reply(known: Headline) -> Verdict:
-    assert known.exchange is not None
     message = known.exchange.message
     if message.fault is not None:
         return NONE, Severity.ERROR, f"{_capital(message.fault.reason)}."
@@ -142,13 +126,16 @@ def _of_text(known: Headline) -> Verdict:
     return NONE, "", "" if known.unread else advice
 
 
-def _of_bare(known: Headline) -> Verdict:
-    """Has a hint about a value, which such bytes are often tried for."""
-    if known.exchange is not None and _is_reply(known.exchange):
-        return NONE, "", f"A reply begins with its {_LACKS[known.subject].partition(' ')[0]}."
-    hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
-    said = [f"A brick needs its {_LACKS[known.subject]}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
-    return NONE, "", " ".join(said)
+def _of_bare(lacks: str) -> Callable[[Headline], Verdict]:
+    def judged(known: Headline) -> Verdict:
+        """Has a hint about a value, which such bytes are often tried for."""
+        if is_answer(known.exchange.message):
+            return NONE, "", "A reply begins with its length."
+        hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
+        said = [f"A brick needs its {lacks}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
+        return NONE, "", " ".join(said)
+
+    return judged
 
 
 def _of_one(known: Headline) -> Verdict:
@@ -202,10 +189,13 @@ _SUBJECTS: dict[Subject, tuple[Callable[[Headline], str], Callable[[Headline], V
     Subject.PART: (_part, lambda _: _NOT_JUDGED),
     Subject.MISTAKEN: (_mistaken("Operations"), lambda _: _NOT_JUDGED),
     Subject.SOURCE: (_mistaken("A program"), lambda _: _NOT_JUDGED),
-    Subject.NO_HEADER: (_bare, _of_bare),
-    Subject.NO_LENGTH: (_bare, _of_bare),
+    Subject.NO_HEADER: (
+        _bare("without its header"),
+        _of_bare("header first: length, counter, type and memory"),
+    ),
+    Subject.NO_LENGTH: (_bare("without its length"), _of_bare("length first")),
     Subject.LETTERS: (
-        _lettered,
+        _bare("with letters for digits"),
         lambda _: (NONE, "", "Bytes are written with the digits 0 to 9 and the letters A to F."),
     ),
     Subject.FRAME: (_frame, _of_frames),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ev3proto.capture.record import Record
 from ev3proto.checking.report import Severity
 from ev3proto.messages import Message
-from ev3proto.reading.headline import Headline, Subject
+from ev3proto.reading.headline import NOTHING, Headline, Subject
 from ev3proto.reading.items import Problem, ProblemCode
 from ev3proto.text.spans import visible
 
@@ -76,7 +76,7 @@ class Overview:
             findings.faulty,
             self.unread,
             self.seen,
-            first.exchange if first is not None and self.frames == 1 else None,
+            first.exchange if first is not None and self.frames == 1 else NOTHING,
             0 if first is None else first.missing,
             0 if first is None else len(first.rest),
             None if worst is None else worst.report,

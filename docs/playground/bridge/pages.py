@@ -18,7 +18,7 @@ from ev3proto.reading.lines import announcement_line, message_lines, record_seen
 from ev3proto.text.phrases import command_spans, reply_spans
 from ev3proto.text.spans import Line, Role, plain_text
 
-from .rows import pieces
+from .words import pieces
 
 MOST_FRAMES, MOST_BYTES = 200, 10_000
 """Maximum numbers of frames on a page, and of their bytes; a longer frame has a page of its own."""

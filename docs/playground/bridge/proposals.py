@@ -18,7 +18,8 @@ from ev3proto.text.forms import as_hex
 from ev3proto.text.paste import Pasted
 from ev3proto.text.paste.near import bytes_in
 
-from .completing import meant
+from .overview import is_answer
+from .words import meant
 
 MOST_LINES = 12
 """Maximum number of lines of a log for which proposals are looked for."""
@@ -32,9 +33,11 @@ _LETTER = re.compile("[G-WYZg-wyz]")
 _BETWEEN = re.compile(r"0[xX]|\\x|\W")
 """What may be between the bytes of a frame in hex."""
 
-_BARE = {Kind.NO_LENGTH: Subject.NO_LENGTH, Kind.OPERATIONS: Subject.NO_HEADER}
-_MISSING = {Kind.NO_LENGTH: "length-missing", Kind.OPERATIONS: "header-missing"}
-"""The kinds of what is added to bytes."""
+_BARE = {
+    Kind.NO_LENGTH: (Subject.NO_LENGTH, "length-missing"),
+    Kind.OPERATIONS: (Subject.NO_HEADER, "header-missing"),
+}
+"""What bytes are that lack something, and the kind of what is added to them."""
 
 
 def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | None:
@@ -48,22 +51,20 @@ def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | Non
         return _known(Subject.LETTERS, "letters", b"", frame, text)
     data = _bare_bytes(text, pieces)
     found = identify(data)
-    if found.frame is None or found.kind not in _BARE or not (_is_reply(found.frame) or _is_right(found.frame)):
+    if found.frame is None or found.kind not in _BARE:
         return None
-    return _known(_BARE[found.kind], _MISSING[found.kind], data, found.frame, text)
+    if not (is_answer(parse(found.frame, strict=False)) or _is_right(found.frame)):
+        return None
+    return _known(*_BARE[found.kind], data, found.frame, text)
 
 
 def _bare_bytes(text: str, pieces: Sequence[Pasted]) -> bytes:
     """Returns the bytes of a text without a whole frame, in hex or as decimals; empty for any other text."""
-    if any(map(_is_whole, pieces)):
+    if any(piece.data and len(piece.data) == frame_size(piece.data) for piece in pieces):
         return b""
     is_line = "\n" not in text.strip() and not _LETTER.search(text)
     is_wrong = any(piece.problem for piece in pieces)
     return bytes_in(text.strip()) if is_line and is_wrong else _bytes_of(text) or b""
-
-
-def _is_whole(piece: Pasted) -> bool:
-    return bool(piece.data) and len(piece.data) == frame_size(piece.data)
 
 
 def _known(subject: Subject, kind: str, data: bytes, frame: bytes, text: str) -> tuple[Headline, Proposal]:
@@ -71,11 +72,6 @@ def _known(subject: Subject, kind: str, data: bytes, frame: bytes, text: str) ->
     message = parse(frame, strict=False)
     made = Proposal(kind, 0, data, frame, as_hex(message) + "\n" * text.endswith("\n"))
     return Headline(subject, exchange=Exchange(message), worst=check(frame, alone=True)), made
-
-
-def _is_reply(frame: bytes) -> bool:
-    kind = parse(frame, strict=False).type
-    return kind is not None and not kind.is_command
 
 
 def proposals(text: str, wrong: Mapping[int, bytes | None], problems: Sequence[Problem]) -> list[Proposal]:
@@ -101,7 +97,7 @@ def _of_lines(text: str, wrong: Mapping[int, bytes | None]) -> Iterator[Proposal
         line, edited = lines[number - 1], fixed.text.split("\n")[number - 1]
         for made, (kind, new) in _candidates(line, frame, certain.get(number), edited).items():
             whole = "\n".join([*lines[: number - 1], new, *lines[number:]])
-            yield Proposal(kind, number, frame or _bytes_in(line), made, whole)
+            yield Proposal(kind, number, frame or bytes_in(line), made, whole)
     if len(fixed.lines) > 1:
         yield Proposal("all", 0, "", "", fixed.text)
 
@@ -116,31 +112,21 @@ def _candidates(line: str, frame: bytes | None, made: bytes | None, edited: str)
         edited: The line with it, in its own notation.
     """
     found: dict[bytes, tuple[str, str]] = {}
-    for kind, new, mended in _of_line(line, frame):
-        found.setdefault(new, (kind, mended))
+    # Bytes may start after each word that is not bytes.
+    starts = [word.end() for word in re.finditer(r"(\S+)\s+", line) if _bytes_of(word[1]) is None]
+    for start in (0, *starts):
+        text = line[start:]
+        data = _bytes_of(text)
+        if data is not None and _is_right(data):
+            break  # what its end may mean is not what was meant
+        if frame in (None, data) and (all_meant := list(_meant(text))):
+            for kind, new in all_meant:
+                found.setdefault(new, (kind, line[:start] + as_hex(parse(new))))
+            break
     if made is not None and (made in found or not found):
-        found[made] = found[made][0] if found else _kind_of(frame or b""), edited
+        kind = "shorter" if _is_right(frame or b"") else ""  # of a right frame
+        found[made] = found[made][0] if found else kind, edited
     return found
-
-
-def _bytes_in(line: str) -> bytes:
-    """Returns the bytes at the end of a line."""
-    found = (_bytes_of(line[start:]) for start in _starts(line))
-    return next((data for data in found if data is not None), b"")
-
-
-def _starts(line: str) -> Iterator[int]:
-    """Yields where the bytes of a line may start: at its start, and after each word that is not bytes."""
-    yield 0
-    for word in re.finditer(r"(\S+)\s+", line):
-        if _bytes_of(word[1]) is None:
-            yield word.end()
-
-
-def _kind_of(frame: bytes) -> str:
-    """Returns the kind of a certain fix: of a right frame, it is only shorter."""
-    report = check(frame)
-    return "shorter" if report.accepted and not report.errors else ""
 
 
 def _respelt(text: str, problems: Sequence[Problem]) -> Iterator[Proposal]:
@@ -156,18 +142,6 @@ def _respelt(text: str, problems: Sequence[Problem]) -> Iterator[Proposal]:
             yield Proposal("name", line, word[0], name, "\n".join(edited))
 
 
-def _of_line(line: str, frame: bytes | None) -> Iterator[tuple[str, bytes, str]]:
-    """Yields what can be done about a line: the kind of each change, the frame, and the line that it makes."""
-    for start in _starts(line):
-        text = line[start:]
-        data = _bytes_of(text)
-        if data is not None and _is_right(data):
-            return  # what its end may mean is not what was meant
-        if frame in (None, data) and (found := list(_meant(text))):
-            yield from ((kind, made, line[:start] + as_hex(parse(made))) for kind, made in found)
-            return
-
-
 def _meant(text: str) -> Iterator[tuple[str, bytes]]:
     """Yields frames that a brick accepts and that a text may mean, the likeliest first, each with its kind of slip."""
     data = _bytes_of(text)
@@ -177,7 +151,7 @@ def _meant(text: str) -> Iterator[tuple[str, bytes]]:
             yield from () if data is None else [("letters", data)]
             return
     found = identify(data)
-    candidates = [] if found.frame is None or found.kind not in _MISSING else [(_MISSING[found.kind], found.frame)]
+    candidates = [] if found.frame is None or found.kind not in _BARE else [(_BARE[found.kind][1], found.frame)]
     candidates += [(each.kind, each.frame) for each in check(data, alone=True).nearest if not each.unknown]
     yield from (each for each in candidates if _is_right(each[1]))
 

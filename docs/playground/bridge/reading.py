@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from ev3proto.capture.filter import Choosing, Filter
-from ev3proto.capture.record import Announcement, Place, Record
+from ev3proto.capture.record import Announcement, Place, Record, Skipped
+from ev3proto.capture.timeline import Form, Timeline, collect_in_steps, render
 from ev3proto.checking.report import Severity
 from ev3proto.errors import DecodeError
 from ev3proto.program import assemble, check_program
@@ -18,13 +19,12 @@ from ev3proto.reading.assembling import assembled
 from ev3proto.reading.given import Given
 from ev3proto.reading.headline import Headline, Proposal
 from ev3proto.reading.items import Event, Image, Problem, ProblemCode, Source, SourceKind
-from ev3proto.reading.options import Options
+from ev3proto.reading.options import Options, Sources
 from ev3proto.reading.parts import Reading
 from ev3proto.text.assembly.errors import AssemblyError
 from ev3proto.text.assembly.recognising import OBJECT
 from ev3proto.text.paste import read_text
 
-from .charting import OFTEN, Steps, timeline
 from .findings import Findings
 from .headline import headline, label
 from .notations import FEW, Frames
@@ -40,6 +40,15 @@ MOST_BARE = 2000
 
 TYPED = ""
 """The name of what was typed: its places are lines."""
+
+MOST_MARKS = 4000
+"""Maximum number of marks in the timeline, which the page draws at once; more are counted in bins of time."""
+
+OFTEN = 0.05
+"""Seconds between two steps."""
+
+Steps = Iterator[dict[str, Any]]
+"""What takes long, in steps: `part` and `count` of what was read so far, or an `answer`; the last one is final."""
 
 FIRST = 0.3
 """Seconds until a first part of the answer; the next ones come after twice the time of the one before."""
@@ -90,8 +99,22 @@ class Input:
         yield {"answer": self.answer()}
 
     def timeline(self) -> Steps:
-        """Reads the input again, for a chart of it: see `timeline`."""
-        return timeline(self._again(), self._overview.name or "input")
+        """Reads the input again. The answer is a chart of it as JSON, for Vega-Lite, or None."""
+        reading = Reading([self._again()], Options(sources=Sources.NO, images=False, raises=False))
+        events = (event for event in reading.events() if isinstance(event, Record | Announcement | Skipped))
+        collecting = collect_in_steps(events, most_marks=MOST_MARKS)
+        said = time.monotonic()
+        while True:
+            try:
+                next(collecting)
+            except StopIteration as end:
+                drawn: Timeline | None = end.value
+                break
+            if time.monotonic() - said > OFTEN:
+                yield {"part": reading.progress or 0.0, "count": reading.part.account.frames}
+                said = time.monotonic()
+        name = self._overview.name or "input"
+        yield {"answer": None if drawn is None else render(drawn, Form.JSON, name).decode()}
 
     def _read(self, given: Given) -> Steps:
         """Reads, and tells now and then how far it is and what was found."""

@@ -5,12 +5,15 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from ev3proto.brick import Brick
 from ev3proto.brick.running_programs import RUNNING
 from ev3proto.brick.servers.page.state import Changes, answer
 from ev3proto.brick.servers.page.watcher import Watcher
 from ev3proto.schema.header import frame_size
+
+from .notations import MOST_SENT
 
 MOST_STEP = 1.0
 """Maximum seconds that the clock advances per tick while something happens: a page that slept does not catch up."""
@@ -45,13 +48,23 @@ class VirtualBrick:
         self.rests = not (new or is_running or brick.is_busy or brick.is_computing or brick.equipment.sound.playing)
         return json.dumps(new) if new else ""
 
-    def act(self, action: str) -> str:
-        """Runs an action, given as JSON. Returns the answer for the page, as JSON."""
-        return json.dumps(answer(self._brick, action))
+    def act(self, action: str) -> dict[str, Any] | None:
+        """Runs an action, given as JSON. Returns the answer for the page."""
+        return answer(self._brick, action)
 
-    def start(self, image: bytes) -> str:
-        """Starts a program. Returns an error message, or ""."""
-        return "" if self._brick.start(image) is not None else "The brick refuses the program; see the findings."
+    def play(self, sent: str) -> str:
+        """Takes what `Input.to_send` returned, as JSON. Returns an error message, or ""."""
+        given = json.loads(sent)
+        if given["error"]:
+            return str(given["error"])
+        if given["program"] is not None:
+            is_started = self._brick.start(bytes.fromhex(given["program"])) is not None
+            return "" if is_started else "The brick refuses the program; see the findings."
+        for frame in given["frames"]:
+            if said := self.send(bytes.fromhex(frame)):
+                return said
+        is_all = given["count"] == len(given["frames"])
+        return "" if is_all else f"Only the first {MOST_SENT} of {given['count']} commands were sent."
 
     def stop(self) -> None:
         """Stops the program that it runs."""

@@ -61,15 +61,15 @@ class Watch:
         self._due = now + PERIOD
         self._ask(questions.NAME, lambda name: self._know(name=name))
         self.ask_firmware()
-        self._ask(questions.BATTERY, self._know_battery)
+        self._ask(
+            questions.BATTERY,
+            lambda found: self._know(battery=f"{found.voltage:.2f} V, {found.current:.2f} A, {found.percentage} %"),
+        )
         self._ask(_TYPES_AND_MODES, self._ask_values)
 
     def ask_firmware(self) -> None:
         """Asks for the version of the firmware."""
         self._ask(questions.SYSTEM, lambda system: self._know(firmware=system.fw_version))
-
-    def _know_battery(self, battery: questions.Battery) -> None:
-        self._know(battery=f"{battery.voltage:.2f} V, {battery.current:.2f} A, {battery.percentage} %")
 
     def _ask_values(self, found: list[tuple[int, int]]) -> None:
         """Asks for the values of the devices that are plugged in."""

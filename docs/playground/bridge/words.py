@@ -1,14 +1,26 @@
-"""Completion: names of operations and of the values of their parameters, at the cursor."""
+"""What a frame says in words, what the words mean and where that is told, and how the word at the cursor goes on.
+
+Words are codes of `check`, encodings, operations, their parameters, and the values of those.
+"""
 
 from __future__ import annotations
 
 import json
 import re
 
+from ev3proto.checking.codes import CODES
+from ev3proto.checking.program_codes import PROGRAM_CODES
+from ev3proto.dialogue import Exchange
 from ev3proto.errors import near_names
+from ev3proto.program.checking import explained
+from ev3proto.schema.frame import parse
 from ev3proto.semantics.domain import comment
-from ev3proto.tables import OPCODES
+from ev3proto.tables import AREAS, OPCODES
 from ev3proto.tables.declaration import Declaration, Parameter, declarations
+from ev3proto.tables.encoding import ENCODING_TEXTS
+from ev3proto.text.byte_by_byte import byte_lines, header_parts
+from ev3proto.text.sentence import sentence
+from ev3proto.text.spans import Line, Role, Spans, plain_text, visible
 
 MOST_COMPLETIONS = 10
 
@@ -86,3 +98,69 @@ def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
 def _values(parameter: Parameter) -> tuple[str, list[tuple[str, str]]]:
     members = parameter.enum.members if parameter.enum else parameter.names
     return f"{parameter.name}: {comment(parameter)}", [(name, f"{name} = {number}") for name, number in members.items()]
+
+
+def about(frame: str) -> str:
+    """Returns what a frame says.
+
+    Args:
+        frame: The frame, in hex.
+
+    Returns:
+        JSON: `sentence`, `parts` (each with name, offset, length, text) and `bytes`, a line each.
+    """
+    message = parse(bytes.fromhex(frame), strict=False)
+    return json.dumps(
+        {
+            "sentence": visible(sentence(Exchange(message))),
+            "parts": [part._asdict() for part in header_parts(message)],
+            "bytes": [visible(line) for line in byte_lines(message)],
+        }
+    )
+
+
+def explain(word: str, operation: str = "") -> str:
+    """Returns what a word means, as JSON; empty if it is unknown.
+
+    Args:
+        word: A code, an encoding, or a parameter; `VALUES[0]` is an element of `VALUES`.
+        operation: The operation that has the parameter.
+    """
+    found = ""
+    chosen, name = _BY_NAME.get(operation), word.partition("[")[0]
+    parameters = [each for each in (chosen.parameters if chosen else ()) if each.name == name]
+    if word in CODES | PROGRAM_CODES:
+        found = "\n".join(map(plain_text, explained((CODES | PROGRAM_CODES)[word]))) + "\n"
+    elif word in ENCODING_TEXTS:
+        found = f"{word}: {': '.join(ENCODING_TEXTS[word])}"
+    elif parameters:
+        found = f"{name}: {comment(parameters[-1])}"
+    return json.dumps(found)
+
+
+def _links() -> dict[str, str]:
+    """Returns the place of each operation in the reference, as Sphinx names headings."""
+    names = {
+        name: area
+        for area, opcodes in AREAS.items()
+        for each in declarations(opcodes)
+        for name in (each.name, each.opcode.name)
+    }
+    return {name: f"{area}.html#{re.sub(r'[^a-z0-9]+', '-', name.lower()).strip('-')}" for name, area in names.items()}
+
+
+_LINKS = _links()
+
+
+def pieces(line: Spans) -> list[list[str]]:
+    """Returns the pieces of a line with a role each, and for an operation its place in the reference."""
+    found = [[visible(text), role] for text, role in line if text]
+    while found and not found[-1][0].rstrip():
+        found.pop()
+    if found:
+        found[-1][0] = found[-1][0].rstrip()
+    target = line.target if isinstance(line, Line) else ""
+    for piece in found:
+        if target and piece[1] == Role.OPERATION:
+            piece.append(_LINKS[target])
+    return found

@@ -89,12 +89,7 @@ class Connection:
             self._now.sent = at
 
     def heard(self, data: bytes, at: float) -> None:
-        """Takes what came from the brick.
-
-        Args:
-            data: A report of USB, or any bytes of a serial port.
-            at: When, in milliseconds of the page's clock.
-        """
+        """Takes a report of USB, or any bytes of a serial port, and when they came, as `sent` does."""
         if not self.is_open:
             return
         if self.carrier is Carrier.USB and len(data) >= LENGTH_FIELD:

@@ -30,19 +30,16 @@ def headline(known: Headline) -> dict[str, str]:
     kind      what the brick does: TAKES, REFUSES, or NONE
     severity  of the worst finding, but for hints; empty without one
     """
-    sentence_of, judge = _SUBJECTS[known.subject]
-    kind, severity, verdict = judge(known)
+    say, name, judge, advice = _SUBJECTS[known.subject]
+    kind, severity, verdict = judge(known, advice)
     if known.unread and kind == TAKES:
         kind, verdict = NONE, f"{verdict[:-1]}, but not all of the input could be read."
     verdict = " ".join([*filter(None, [verdict]), *_replies(known)])
-    return {"sentence": visible(sentence_of(known)), "verdict": visible(verdict), "kind": kind, "severity": severity}
+    return {"sentence": visible(say(known, name)), "verdict": visible(verdict), "kind": kind, "severity": severity}
 
 
 Verdict = tuple[str, str, str]
 """What the brick does, the severity of the worst finding, and a sentence."""
-
-_NOT_JUDGED: Verdict = NONE, "", ""
-
 
 # What it is
 
@@ -55,24 +52,24 @@ def _counted(count: int, noun: str) -> str:
     return f"{count:,} {noun if count == 1 else f'{noun}s'.replace('ys', 'ies')}"
 
 
-def _frame(known: Headline) -> str:
+def _said(_: Headline, sentence: str) -> str:
+    return sentence
+
+
+def _frame(known: Headline, part: str) -> str:
     message, done = known.exchange.message, deed(known.exchange)
-    if known.missing:
+    if known.missing and not (part and message.type):
         return sentence(known.exchange, known.missing)
     size = len(message.build())
     if message.type is None:
         return f"{_counted(size, 'byte')}, not a frame." if size < HEADER_SIZE else "Not an EV3 message."
-    return f"{_capital(done or f'a command of {size} bytes')}."
+    return part or f"{_capital(done or f'a command of {size} bytes')}."
 
 
-def _part(known: Headline) -> str:
-    return _frame(known) if known.exchange.message.type is None else "A frame that cannot be read to its end."
-
-
-def _reply(known: Headline) -> str:
+def _reply(known: Headline, name: str) -> str:
     message, done = known.exchange.message, deed(known.exchange)
     is_error = message.type is not None and message.type.is_error
-    name = "An error reply" if is_error else "A reply"
+    name = "An error reply" if is_error else name
     if message.type is not None and message.type.is_command:
         return f"A command that came from the brick: {done}."
     if is_error and isinstance(message, DirectReply):
@@ -80,34 +77,32 @@ def _reply(known: Headline) -> str:
     return f"{name} that {done}." if done else f"{name}."
 
 
-def _many(name: str) -> Callable[[Headline], str]:
-    def said(known: Headline) -> str:
-        counts = [(known.commands, "command"), (known.frames - known.commands, "reply")]
-        has_replies = known.frames > known.commands
-        of = f": {' and '.join(_counted(*each) for each in counts if each[0])}" if has_replies else ""
-        if known.read:
-            return f"The filter matches {known.frames:,} of the {_counted(known.read, 'frame')} of {name}{of}."
-        return f"{_capital(name)} of {_counted(known.frames, 'frame')}{of}."
-
-    return said
+def _many(known: Headline, name: str) -> str:
+    counts = [(known.commands, "command"), (known.frames - known.commands, "reply")]
+    has_replies = known.frames > known.commands
+    of = f": {' and '.join(_counted(*each) for each in counts if each[0])}" if has_replies else ""
+    if known.read:
+        return f"The filter matches {known.frames:,} of the {_counted(known.read, 'frame')} of {name}{of}."
+    return f"{_capital(name)} of {_counted(known.frames, 'frame')}{of}."
 
 
-def _bare(lacks: str) -> Callable[[Headline], str]:
-    def said(known: Headline) -> str:
-        name, then = ("reply", ", which") if is_answer(known.exchange.message) else ("frame", ":")
-        return f"A {name} {lacks}{then} {deed(known.exchange)}."
-
-    return said
+def _bare(known: Headline, lacks: str) -> str:
+    name, then = ("reply", ", which") if is_answer(known.exchange.message) else ("frame", ":")
+    return f"A {name} {lacks}{then} {deed(known.exchange)}."
 
 
-def _mistaken(name: str) -> Callable[[Headline], str]:
-    return lambda known: f"{name} with {'a mistake' if known.unread == 1 else 'mistakes'}."
+def _mistaken(known: Headline, name: str) -> str:
+    return f"{name} with {'a mistake' if known.unread == 1 else 'mistakes'}."
+
+
+def _program(known: Headline, name: str) -> str:
+    return f"{name} of {_counted(known.frames, 'object')} and {_counted(known.read, 'byte')}."
 
 
 # What is wrong
 
 
-def _of_reply(known: Headline) -> Verdict:
+def _of_reply(known: Headline, advice: str) -> Verdict:
     message = known.exchange.message
     if message.fault is not None:
         return NONE, Severity.ERROR, f"{_capital(message.fault.reason)}."
@@ -115,30 +110,24 @@ def _of_reply(known: Headline) -> Verdict:
         more = f"{_counted(known.rest, 'byte')} {'follows' if known.rest == 1 else 'follow'} it"
         return NONE, Severity.ERROR, f"{more} that its length field does not count."
     says_why = not isinstance(message, DirectReply) or not message.is_error
-    return NONE, "", "" if says_why else "It does not say why: check the command that it answers."
+    return NONE, "", "" if says_why else advice
 
 
-def _of_text(known: Headline) -> Verdict:
+def _advised(known: Headline, advice: str) -> Verdict:
     """Returns what could be read instead; an error that is shown says more."""
-    advice = (
-        "Frames are written in hex, such as 06 00 2A 00 80 00 00 01. Operations are read, too: OUTPUT_POWER(0, 1, 50)."
-    )
     return NONE, "", "" if known.unread else advice
 
 
-def _of_bare(lacks: str) -> Callable[[Headline], Verdict]:
-    def judged(known: Headline) -> Verdict:
-        """Has a hint about a value, which such bytes are often tried for."""
-        if is_answer(known.exchange.message):
-            return NONE, "", "A reply begins with its length."
-        hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
-        said = [f"A brick needs its {lacks}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
-        return NONE, "", " ".join(said)
-
-    return judged
+def _of_bare(known: Headline, lacks: str) -> Verdict:
+    """Has a hint about a value, which such bytes are often tried for."""
+    if is_answer(known.exchange.message):
+        return NONE, "", "A reply begins with its length."
+    hints = [] if known.worst is None else [each for each in known.worst.findings if each.parameter]
+    said = [f"A brick needs its {lacks}.", *(f"{each.message}; {each.help}." for each in hints[:1])]
+    return NONE, "", " ".join(said)
 
 
-def _of_one(known: Headline) -> Verdict:
+def _of_one(known: Headline, _: str) -> Verdict:
     report = known.worst
     if report is not None and not report.accepted:
         at = report.rejected_at or 0
@@ -151,11 +140,11 @@ def _of_one(known: Headline) -> Verdict:
 _ONE = {"error": "an error", "warning": "a warning"}
 
 
-def _of_frames(known: Headline) -> Verdict:
+def _of_frames(known: Headline, _: str) -> Verdict:
     if known.frames == known.commands == 1:
-        return _of_one(known)
+        return _of_one(known, "")
     if not known.commands:
-        return _NOT_JUDGED
+        return NONE, "", ""
     where = f"; in {known.place}: {_reason(known.worst)}" if known.worst is not None else ""
     every = {1: "the command", 2: "both commands"}.get(known.commands, f"all {known.commands:,} commands")
     if known.refused:
@@ -182,33 +171,34 @@ def _replies(known: Headline) -> Iterator[str]:
         yield f"{_counted(known.faulty, 'reply')} cannot be right."
 
 
-_SUBJECTS: dict[Subject, tuple[Callable[[Headline], str], Callable[[Headline], Verdict]]] = {
-    Subject.EMPTY: (lambda _: "", lambda _: _NOT_JUDGED),
-    Subject.TEXT: (lambda _: "A text without a frame.", _of_text),
-    Subject.FILE: (lambda _: "A file without a frame.", lambda _: _NOT_JUDGED),
-    Subject.PART: (_part, lambda _: _NOT_JUDGED),
-    Subject.MISTAKEN: (_mistaken("Operations"), lambda _: _NOT_JUDGED),
-    Subject.SOURCE: (_mistaken("A program"), lambda _: _NOT_JUDGED),
-    Subject.NO_HEADER: (
-        _bare("without its header"),
-        _of_bare("header first: length, counter, type and memory"),
+_SUBJECTS: dict[Subject, tuple[Callable[[Headline, str], str], str, Callable[[Headline, str], Verdict], str]] = {
+    Subject.EMPTY: (_said, "", _advised, ""),
+    Subject.TEXT: (
+        _said,
+        "A text without a frame.",
+        _advised,
+        "Frames are written in hex, such as 06 00 2A 00 80 00 00 01. Operations are read, too: OUTPUT_POWER(0, 1, 50).",
     ),
-    Subject.NO_LENGTH: (_bare("without its length"), _of_bare("length first")),
+    Subject.FILE: (_said, "A file without a frame.", _advised, ""),
+    Subject.PART: (_frame, "A frame that cannot be read to its end.", _advised, ""),
+    Subject.MISTAKEN: (_mistaken, "Operations", _advised, ""),
+    Subject.SOURCE: (_mistaken, "A program", _advised, ""),
+    Subject.NO_HEADER: (_bare, "without its header", _of_bare, "header first: length, counter, type and memory"),
+    Subject.NO_LENGTH: (_bare, "without its length", _of_bare, "length first"),
     Subject.LETTERS: (
-        _bare("with letters for digits"),
-        lambda _: (NONE, "", "Bytes are written with the digits 0 to 9 and the letters A to F."),
+        _bare,
+        "with letters for digits",
+        _advised,
+        "Bytes are written with the digits 0 to 9 and the letters A to F.",
     ),
-    Subject.FRAME: (_frame, _of_frames),
-    Subject.REPLY: (_reply, _of_reply),
-    Subject.FRAMES: (_many("a series"), _of_frames),
-    Subject.LOG: (_many("a log"), _of_frames),
-    Subject.CAPTURE: (_many("a capture"), _of_frames),
-    Subject.PROGRAM: (
-        lambda known: f"A program of {_counted(known.frames, 'object')} and {_counted(known.read, 'byte')}.",
-        _of_one,
-    ),
+    Subject.FRAME: (_frame, "", _of_frames, ""),
+    Subject.REPLY: (_reply, "A reply", _of_reply, "It does not say why: check the command that it answers."),
+    Subject.FRAMES: (_many, "a series", _of_frames, ""),
+    Subject.LOG: (_many, "a log", _of_frames, ""),
+    Subject.CAPTURE: (_many, "a capture", _of_frames, ""),
+    Subject.PROGRAM: (_program, "A program", _of_one, ""),
 }
-"""What is said of each kind of input: what it is, and what is wrong with it."""
+"""What is said of each kind of input: what it is, and what is wrong with it; each with its own words."""
 
 
 def _reason(report: Report) -> str:

@@ -38,16 +38,16 @@ Item = Record | Announcement | Image
 class Pages:
     """Everything that has lines, in order; an item's number is its place.
 
-    start_ns  the time from which those that are shown count
+    start_ns   the time from which those that are shown count
+    frames     the number of frames, or of programs
+    dialogues  their number; a frame alone has none
     """
 
     def __init__(self) -> None:
-        self.start_ns = 0
+        self.start_ns = self.frames = self.dialogues = 0
         self._items: list[Item] = []
         self._starts = [0]
         self._bytes = self._own = 0  # bytes and frames of the last page
-        self._texts = 0
-        self._replies = 0
         self._last: tuple[object, dict[str, Any]] = None, {}
 
     def add(self, item: Item) -> int:
@@ -58,24 +58,16 @@ class Pages:
             self._starts.append(number)
             self._bytes = self._own = 0
         self._bytes += size
-        self._own += not isinstance(item, Announcement)
+        is_frame, is_answer = not isinstance(item, Announcement), False
         if isinstance(item, Record):
             # Its counts go on increasing while reading.
             item.transfer = copy(item.transfer)
-            self._replies += item.request is not None
-        self._texts += isinstance(item, Announcement)
+            is_answer = item.request is not None
+        self._own += is_frame
+        self.frames += is_frame
+        self.dialogues += is_frame and not is_answer
         self._items.append(item)
         return number
-
-    @property
-    def frames(self) -> int:
-        """The number of frames, or of programs."""
-        return len(self._items) - self._texts
-
-    @property
-    def dialogues(self) -> int:
-        """The number of dialogues; a frame alone has none."""
-        return self.frames - self._replies
 
     def page(self, number: int) -> dict[str, Any]:
         """Returns the page that has an item, for JSON.

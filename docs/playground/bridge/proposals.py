@@ -105,11 +105,7 @@ def _of_lines(text: str, wrong: Mapping[int, bytes | None]) -> Iterator[Proposal
 def _candidates(line: str, frame: bytes | None, made: bytes | None, edited: str) -> dict[bytes, tuple[str, str]]:
     """Returns the frames that a line may mean, each with its kind of slip and the line that has it.
 
-    Args:
-        line: The line.
-        frame: What is in it, if that is a frame.
-        made: The certain fix, if there is one.
-        edited: The line with it, in its own notation.
+    `frame` is what is in it, if that is a frame; `made` the certain fix, and `edited` the line with it.
     """
     found: dict[bytes, tuple[str, str]] = {}
     # Bytes may start after each word that is not bytes.

@@ -216,10 +216,10 @@ class Input:
             for one in (error, *error.others):
                 self._problem(Problem.in_source(name, one))
             return
-        more = len(made.warnings) - MOST_WARNINGS
-        warnings = [str(Problem.in_source(name, one)) for one in made.warnings[:MOST_WARNINGS]]
-        for said in [*warnings, *([f"... and {more} more warnings"] if more > 0 else [])]:
-            self._findings.say(said, Severity.WARNING)
+        for one in made.warnings[:MOST_WARNINGS]:
+            self._findings.say(str(Problem.in_source(name, one)), Severity.WARNING)
+        if (more := len(made.warnings) - MOST_WARNINGS) > 0:
+            self._findings.say(f"... and {more} more warnings", Severity.WARNING)
         self._image(Image(made.image, Place(name)))
 
     def _image(self, image: Image) -> None:

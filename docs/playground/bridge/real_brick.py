@@ -133,13 +133,9 @@ class RealBrick:
         return self.send([build_frame(prepared.kind, 0, prepared.body)], is_allowed=is_allowed)
 
     def files(self, action: str, path: str, data: bytes, then: Callable[[], object] = lambda: None) -> None:
-        """Does something with a file. The page hears what came of it: `action`, `path`, `error`, `result`.
+        """Does one of FILES with a path and what is written there, and if that succeeds, something else.
 
-        Args:
-            action: One of FILES.
-            path: The folder or file.
-            data: What is written.
-            then: Called if that succeeds.
+        The page hears what came of it: `action`, `path`, `error`, `result`.
         """
         task = FILES[action](path, data)
         said: dict[str, Any] = {"action": action, "path": path, "error": ""}
@@ -167,12 +163,7 @@ class RealBrick:
     # The comparison with the virtual brick
 
     def compare(self, capture: bytes, computes: bool) -> None:
-        """Sends the commands of a capture of the virtual brick that only read, and compares the answers.
-
-        Args:
-            capture: The capture.
-            computes: Whether to send also what only computes.
-        """
+        """Compares the answers to commands of a capture of the virtual brick that only read, or also `computes`."""
         self._watch.ask_firmware()
         self._comparison = Comparison(self.connection, self._watch, self._tell, capture, computes=computes)
         self._comparison.next()

@@ -138,18 +138,13 @@ def explain(word: str, operation: str = "") -> str:
     return json.dumps(found)
 
 
-def _links() -> dict[str, str]:
-    """Returns the place of each operation in the reference, as Sphinx names headings."""
-    names = {
-        name: area
-        for area, opcodes in AREAS.items()
-        for each in declarations(opcodes)
-        for name in (each.name, each.opcode.name)
-    }
-    return {name: f"{area}.html#{re.sub(r'[^a-z0-9]+', '-', name.lower()).strip('-')}" for name, area in names.items()}
-
-
-_LINKS = _links()
+_LINKS = {
+    name: f"{area}.html#{re.sub(r'[^a-z0-9]+', '-', name.lower()).strip('-')}"
+    for area, opcodes in AREAS.items()
+    for each in declarations(opcodes)
+    for name in (each.name, each.opcode.name)
+}
+"""The place of each operation in the reference, as Sphinx names headings."""
 
 
 def pieces(line: Spans) -> list[list[str]]:

@@ -55,15 +55,7 @@ _jobs: dict[int, Steps] = {}
 
 
 def look(text: str, expression: str = "") -> str:
-    """Reads what was typed or pasted, to its end.
-
-    Args:
-        text: The text.
-        expression: A filter: which frames to show. Empty for all.
-
-    Returns:
-        The answer: see `Input.answer`.
-    """
+    """Reads what was typed or pasted to its end, with a filter or an empty one. Returns the `Input.answer`."""
     *_, last = _read("look", text, expression)
     return json.dumps(last["answer"])
 
@@ -131,8 +123,9 @@ def _asks(of: Callable[[], object], name: str) -> Callable[..., str]:
     return lambda *given: json.dumps(getattr(of(), name)(*given))
 
 
-page, made, remedies, to_send = (_asks(lambda: _now, name) for name in ("page", "made", "proposals", "to_send"))
-"""The page that has a frame, by its number; the frames in a notation; proposals; what there is to send."""
+page, remedies = _asks(lambda: _now.pages, "page"), _asks(lambda: _now, "proposals")
+made, to_send = _asks(lambda: _now.frames, "made"), _asks(lambda: _now.frames, "to_send")
+"""The page that has a frame, by its number; proposals; the frames in a notation; what there is to send."""
 
 
 def as_assembly(frame: str) -> str:

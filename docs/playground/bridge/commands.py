@@ -31,14 +31,9 @@ class Commands:
         self._turn = 0
 
     def send(self, frames: list[bytes], *, is_allowed: bool) -> dict[str, Any]:
-        """Sends commands.
+        """Sends commands, which may do what is not on the list of reading operations if that `is_allowed`.
 
-        Args:
-            frames: The commands.
-            is_allowed: Whether they may do what is not on the list of reading operations.
-
-        Returns:
-            `error`, or `ask`: what they may do, if that has to be allowed first.
+        Returns `error`, or `ask`: what they may do, if that has to be allowed first.
         """
         for frame in frames:
             if len(frame) != frame_size(frame):

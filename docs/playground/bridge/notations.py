@@ -80,10 +80,8 @@ class Frames:
 
     def to_send(self) -> dict[str, Any]:
         """Returns what is sent, for JSON: frames in hex and their number, or a program; and an error."""
-        is_program = self.image is not None
-        return {
-            "frames": [] if is_program else [frame.hex() for frame in self._commands],
-            "count": 0 if is_program else self._commands_in_all,
-            "program": None if self.image is None else self.image.hex(),
-            "error": "" if is_program or self._commands else "The input has no command to send.",
-        }
+        if self.image is not None:
+            return {"frames": [], "count": 0, "program": self.image.hex(), "error": ""}
+        frames = [frame.hex() for frame in self._commands]
+        error = "" if frames else "The input has no command to send."
+        return {"frames": frames, "count": self._commands_in_all, "program": None, "error": error}

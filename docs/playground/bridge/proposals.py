@@ -43,9 +43,7 @@ _BARE = {
 def bare(text: str, pieces: Sequence[Pasted]) -> tuple[Headline, Proposal] | None:
     """Returns what hex is that is a frame but for its header, its length or some letters, and the frame; or None.
 
-    Args:
-        text: The text.
-        pieces: What was read in it: with a whole frame, it is not one that lacks something.
+    With a whole frame among the `pieces` of a text, it is not one that lacks something.
     """
     if _bytes_of(text) is None and _is_right(frame := _bytes_of(text.translate(_LETTERS)) or b""):
         return _known(Subject.LETTERS, "letters", b"", frame, text)

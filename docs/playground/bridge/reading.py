@@ -55,20 +55,14 @@ FIRST = 0.3
 
 
 class Input:
-    """One input, and what is shown of it.
-
-    page     returns the page that has a frame, by its number: see `Pages.page`
-    made     returns the frames in a notation: see `Frames.made`
-    to_send  returns what is sent to a brick: see `Frames.to_send`
-    """
+    """One input, and what is shown of it: its `pages`, and its `frames` in notations and for a brick."""
 
     def __init__(self, wanted: Filter | None = None) -> None:
         self._wanted = wanted
         self._overview = Overview(is_chosen=wanted is not None)
-        self._pages = Pages()
+        self.pages = Pages()
         self._findings = Findings()
-        self._frames = Frames()
-        self.page, self.made, self.to_send = self._pages.page, self._frames.made, self._frames.to_send
+        self.frames = Frames()
         self._again: Callable[[], Given] = lambda: Given(TYPED, lines=())
         self._bare: tuple[Headline, Proposal] | None = None
         self._reading = Reading([], Options())
@@ -102,19 +96,19 @@ class Input:
         """Reads the input again. The answer is a chart of it as JSON, for Vega-Lite, or None."""
         reading = Reading([self._again()], Options(sources=Sources.NO, images=False, raises=False))
         events = (event for event in reading.events() if isinstance(event, Record | Announcement | Skipped))
-        collecting = collect_in_steps(events, most_marks=MOST_MARKS)
+        drawn: list[Timeline | None] = []
+
+        def collecting() -> Iterator[object]:
+            drawn.append((yield from collect_in_steps(events, most_marks=MOST_MARKS)))
+
         said = time.monotonic()
-        while True:
-            try:
-                next(collecting)
-            except StopIteration as end:
-                drawn: Timeline | None = end.value
-                break
+        for _ in collecting():
             if time.monotonic() - said > OFTEN:
                 yield {"part": reading.progress or 0.0, "count": reading.part.account.frames}
                 said = time.monotonic()
+        (chart,) = drawn
         name = self._overview.name or "input"
-        yield {"answer": None if drawn is None else render(drawn, Form.JSON, name).decode()}
+        yield {"answer": None if chart is None else render(chart, Form.JSON, name).decode()}
 
     def _read(self, given: Given) -> Steps:
         """Reads, and tells now and then how far it is and what was found."""
@@ -127,7 +121,7 @@ class Input:
             now = time.monotonic()
             if now - said < OFTEN:
                 continue
-            step: dict[str, Any] = {"part": self._done(), "count": self._pages.frames}
+            step: dict[str, Any] = {"part": self._done(), "count": self.pages.frames}
             if now - begun > due:
                 due *= 2
                 step["answer"] = self.answer(is_whole=False)
@@ -156,7 +150,7 @@ class Input:
                 yield from choosing.take(event)
             yield None if isinstance(event, Announcement | Record) else event
         yield from choosing.end()
-        if not self._pages.frames:
+        if not self.pages.frames:
             yield self._reading.part.nothing(self._wanted)
 
     def _take(self, event: Event) -> None:
@@ -176,8 +170,8 @@ class Input:
         """Takes what has lines. Returns its number."""
         if isinstance(item, Record):
             self._overview.first = self._overview.first or item
-        self._pages.start_ns = self._reading.part.account.first_ns or 0
-        return self._pages.add(item)
+        self.pages.start_ns = self._reading.part.account.first_ns or 0
+        return self.pages.add(item)
 
     def _record(self, record: Record) -> None:
         written, number = record.written, self._show(record)
@@ -188,7 +182,7 @@ class Input:
 
     def _frame(self, record: Record, number: int, place: str, line: int, *, carrier: str | None = None) -> None:
         """Takes a frame, which has a number on the pages."""
-        self._frames.add(record.message, record.frame)
+        self.frames.add(record.message, record.frame)
         if is_reply(record):
             self._findings.reply(record, place)
         else:
@@ -216,15 +210,15 @@ class Input:
             for one in (error, *error.others):
                 self._problem(Problem.in_source(name, one))
             return
-        for one in made.warnings[:MOST_WARNINGS]:
-            self._findings.say(str(Problem.in_source(name, one)), Severity.WARNING)
+        for warning in made.warnings[:MOST_WARNINGS]:
+            self._findings.say(str(Problem.in_source(name, warning)), Severity.WARNING)
         if (more := len(made.warnings) - MOST_WARNINGS) > 0:
             self._findings.say(f"... and {more} more warnings", Severity.WARNING)
         self._image(Image(made.image, Place(name)))
 
     def _image(self, image: Image) -> None:
         """Takes the image of a program."""
-        self._overview.image = self._frames.image = image.data
+        self._overview.image = self.frames.image = image.data
         with suppress(DecodeError):  # which is among the findings
             self._overview.objects = len(parse_program(image.data, strict=False).objects)
             self._show(image)
@@ -253,7 +247,7 @@ class Input:
         dialogues  their number
         lines, frames, rows, page  the first page: see `Pages.page`
         """
-        overview, count = self._overview, self._pages.frames
+        overview, count = self._overview, self.pages.frames
         overview.frames, overview.is_text = count, self._reading.part.is_text
         is_program = overview.image is not None
         return {
@@ -263,22 +257,18 @@ class Input:
             "isProgram": is_program,
             "findings": self._findings.answer(),
             "found": {each.number: each.report.frame.hex() for each in self._findings.frames},
-            "made": self._frames.all(is_whole=is_whole and not is_program),
-            "dialogues": 0 if count == 1 and overview.is_text else self._pages.dialogues,
-            **self.page(0),
+            "made": self.frames.all(is_whole=is_whole and not is_program),
+            "dialogues": 0 if count == 1 and overview.is_text else self.pages.dialogues,
+            **self.pages.page(0),
         }
 
     def proposals(self) -> list[dict[str, str]]:
         """Returns what can be done about the input, for JSON: the label of each button, and the text that it makes."""
         text = self._overview.text
-        if not text or self._overview.image is not None or self._pages.frames > FEW:
+        if not text or self._overview.image is not None or self.pages.frames > FEW:
             return []
-        has_frame = self._overview.first is not None
-        found = (
-            [self._bare[1]]
-            if self._bare
-            else proposals(text, self._wrong(), [] if has_frame else self._overview.problems)
-        )
+        problems = self._overview.problems if self._overview.first is None else []
+        found = [self._bare[1]] if self._bare else proposals(text, self._wrong(), problems)
         has_lines = "\n" in text.strip()
         return [{"label": label(each, has_lines=has_lines), "text": each.text} for each in found]
 

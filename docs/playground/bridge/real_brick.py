@@ -116,7 +116,7 @@ class RealBrick:
         self._commands.stop_motors()
 
     def talk(self, given: str, is_allowed: bool) -> dict[str, Any]:
-        """Sends what `Input.to_send` returned, as JSON; returns as `send` does."""
+        """Sends what `Frames.to_send` returned, as JSON; returns as `send` does."""
         wanted = json.loads(given)
         if wanted["error"]:
             return {"error": wanted["error"]}

@@ -53,7 +53,7 @@ class VirtualBrick:
         return answer(self._brick, action)
 
     def play(self, sent: str) -> str:
-        """Takes what `Input.to_send` returned, as JSON. Returns an error message, or ""."""
+        """Takes what `Frames.to_send` returned, as JSON. Returns an error message, or ""."""
         given = json.loads(sent)
         if given["error"]:
             return str(given["error"])

@@ -16,7 +16,7 @@ from ev3proto.program.checking import explained
 from ev3proto.schema.frame import parse
 from ev3proto.semantics.domain import comment
 from ev3proto.tables import AREAS, OPCODES
-from ev3proto.tables.declaration import Declaration, Parameter, declarations
+from ev3proto.tables.declaration import Declaration, declarations
 from ev3proto.tables.encoding import ENCODING_TEXTS
 from ev3proto.text.byte_by_byte import byte_lines, header_parts
 from ev3proto.text.sentence import sentence
@@ -30,14 +30,10 @@ _PREFIXED = re.compile(r"op[A-Z]")
 
 
 def complete(before: str) -> str:
-    """Returns the completions at the cursor.
+    """Returns the completions at the cursor as JSON; `before` is the line up to it.
 
-    Args:
-        before: The line up to the cursor.
-
-    Returns:
-        JSON: `word`, the letters that a completion replaces; `words`, each with what to insert and what to show;
-        `hint` about the parameter at the cursor.
+    `word` has the letters that a completion replaces; `words`, each with what to insert and what to show; `hint` about
+    the parameter at the cursor.
     """
     word, prefix, hint, options = _place(before)
     name = word.removeprefix(prefix)
@@ -92,23 +88,13 @@ def _inside(opcode: str, given: list[str]) -> tuple[str, list[tuple[str, str]]]:
     chosen = _BY_NAME.get(name)
     if chosen is None or len(given) > len(chosen.parameters):
         return "", []
-    return _values(chosen.parameters[len(given) - 1])
-
-
-def _values(parameter: Parameter) -> tuple[str, list[tuple[str, str]]]:
+    parameter = chosen.parameters[len(given) - 1]
     members = parameter.enum.members if parameter.enum else parameter.names
     return f"{parameter.name}: {comment(parameter)}", [(name, f"{name} = {number}") for name, number in members.items()]
 
 
 def about(frame: str) -> str:
-    """Returns what a frame says.
-
-    Args:
-        frame: The frame, in hex.
-
-    Returns:
-        JSON: `sentence`, `parts` (each with name, offset, length, text) and `bytes`, a line each.
-    """
+    """Returns what a frame in hex says: `sentence`, `parts` (name, offset, length, text) and `bytes`, a line each."""
     message = parse(bytes.fromhex(frame), strict=False)
     return json.dumps(
         {

@@ -11,6 +11,7 @@ from ev3proto.capture.evidence import is_complete_reply, is_sensible, proves
 from ev3proto.capture.finding import Accepts, Finder, Found
 from ev3proto.capture.record import Event, Record
 from ev3proto.schema.frame import FrameReader
+from ev3proto.schema.header import may_start
 from ev3proto.tables.claims import MOST_HELD, REPLIES, STRANGE_PACKETS
 from ev3proto.tables.frame import MAX_FRAME
 
@@ -99,7 +100,7 @@ class Claim:
 
         """
         if side != self.to_brick or self._known is None:
-            proved = self._proved(side, self._finder.frames_of(text, starts[-1], missing)[:1])
+            proved = self._proved(side, text[starts[-1] :])
             if proved is not None:
                 return Found.CHAIN, starts[-1], proved
         if side != self._known is not None:
@@ -115,11 +116,14 @@ class Claim:
             self.held.append(Held(side, self._finder.frames_of(text, place, missing), adopt(place)))
         return found, place, []
 
-    def _proved(self, side: Hashable, replies: Sequence[bytes]) -> list[Event] | None:
-        """Returns the events of held commands, from the newest that a reply proves; None if it proves none."""
-        held = [each for each in self.held if each.side != side]
+    def _proved(self, side: Hashable, reply: bytes) -> list[Event] | None:
+        """Returns the events of held commands, from the newest that a reply proves; None if it proves none.
+
+        Its length, counter and type are enough: the rest of a long reply comes in later packets.
+        """
+        held = [each for each in self.held if each.side != side and may_start(reply)]
         for index in reversed(range(len(held))):
-            if any(proves(reply, command) for reply in replies for command in held[index].frames):
+            if any(proves(reply, command) for command in held[index].frames):
                 self.to_brick = held[index].side
                 self.begin(State.ANSWERED)
                 return [event for each in held[index:] for event in each.adopt()]

@@ -405,8 +405,8 @@ class Cutter:
         if end > len(buffer):
             return (PartKind.LOST if self._misleads(buffer, at, is_last) else PartKind.FRAME), end
         follows, is_frame = finder.follow(buffer, end), finder.is_frame(buffer, at, end)
-        is_packet = at == self._marks[-1][0] and end == len(buffer)
-        if is_frame and (follows or is_packet or finder.is_self_evident(buffer, at)):
+        # A valid frame that ends with its packet is complete, whatever its data look like.
+        if is_frame and (follows or end == len(buffer) or finder.is_self_evident(buffer, at)):
             return PartKind.FRAME, end
         if follows is None:
             return PartKind.LOST, end

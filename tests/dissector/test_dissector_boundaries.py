@@ -203,6 +203,8 @@ def test_a_whole_reply_is_complete_whatever_its_data_look_like(tshark: Tshark) -
     path = tshark.place(capture.data(), "complete.pcap")
     asked = ("-T", "fields", "-e", "frame.number", "-Y", "ev3.response_time")
     assert tshark.run(path, *asked).split() == [str(number) for number in ends]
+    records = [each for each in ev3proto.read(path) if isinstance(each, ev3proto.Record)]
+    assert [each.numbers for each in records] == [each for end in ends for each in ((end - 2,), (end - 1, end))]
 
 
 def test_the_header_of_a_reply_is_enough_for_a_claim(tshark: Tshark) -> None:
@@ -217,6 +219,9 @@ def test_the_header_of_a_reply_is_enough_for_a_claim(tshark: Tshark) -> None:
     found = tshark.run(path, "-2", "-T", "fields", "-e", "frame.number", "-Y", "ev3.msg_num == 7").split()
     assert found[-2:] == [str(sent), str(pieces[-1])]
     assert len(found) == 4
+    records = [each for each in ev3proto.read(path) if isinstance(each, ev3proto.Record)]
+    assert [each.numbers for each in records[-2:]] == [(sent,), tuple(pieces)]
+    assert len(records) == 4
 
 
 def counted_read(size: int, layer: int = 0) -> bytes:

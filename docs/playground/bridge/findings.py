@@ -46,14 +46,14 @@ class Findings:
     replies     the number of frames from the brick, which are not checked
     failed      the number of those that say that a command failed
     faulty      the number of those with a fault, or with bytes after them
-    programs    the reports on programs, whose image is frame 0
+    program     the report on the program, whose image is frame 0
     """
 
     def __init__(self) -> None:
         self.checked = self.refused = 0
         self.replies = self.failed = self.faulty = 0
         self.count: Counter[Severity] = Counter()
-        self.programs: list[ProgramReport] = []
+        self.program: ProgramReport | None = None
         self._frames: dict[Severity, list[Checked]] = {severity: [] for severity in Severity}
         self._last: Checked | None = None
         self._others: list[tuple[str, Severity]] = []
@@ -97,8 +97,7 @@ class Findings:
     def answer(self) -> list[dict[str, Any]]:
         """Returns the findings for JSON: each with lines, severity, codes, frame, line of the text, offset, length."""
         shown = [_block([Line([(text, Role.PLAIN)])], None, severity) for text, severity in self._others]
-        for report in self.programs:
-            shown += _program_blocks(report)
+        shown += [] if self.program is None else _program_blocks(self.program)
         for each in self.frames:
             shown += _blocks(each)
         for severity in Severity:

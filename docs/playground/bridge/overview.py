@@ -25,8 +25,7 @@ class Overview:
     is_source  whether it is the source of a program
     frames     the number of frames, or of programs
     seen       the frames among which a filter chose
-    image      of the program
-    objects    the number of those of the program
+    objects    the number of those of a program
     first      the first frame
     unread     the number of problems, each of which kept a piece from being read
     problems   the first ones
@@ -38,7 +37,6 @@ class Overview:
         self.is_chosen = is_chosen
         self.is_text, self.is_source = True, False
         self.frames = self.seen = self.objects = 0
-        self.image: bytes | None = None
         self.first: Record | None = None
         self.unread = 0
         self.problems: list[Problem] = []
@@ -60,10 +58,9 @@ class Overview:
 
     def headline(self, findings: Findings) -> Headline:
         """Returns what is said first, with what was found."""
-        first = self.first
-        if self.image is not None:
-            (report,) = findings.programs
-            return Headline(Subject.PROGRAM, self.objects, unread=self.unread, read=len(self.image), worst=report)
+        first, report = self.first, findings.program
+        if report is not None:
+            return Headline(Subject.PROGRAM, self.objects, unread=self.unread, read=len(report.frame), worst=report)
         worst = min(findings.frames, key=lambda each: each.report.accepted, default=None)
         return Headline(
             self._without_frame() if first is None else self._subject(first),

@@ -218,11 +218,11 @@ class Input:
 
     def _image(self, image: Image) -> None:
         """Takes the image of a program."""
-        self._overview.image = self.frames.image = image.data
+        self.frames.image = image.data
         with suppress(DecodeError):  # which is among the findings
             self._overview.objects = len(parse_program(image.data, strict=False).objects)
             self._show(image)
-        self._findings.programs.append(check_program(image.data))
+        self._findings.program = check_program(image.data)
 
     def _problem(self, problem: Problem) -> None:
         place = problem.place
@@ -249,7 +249,7 @@ class Input:
         """
         overview, count = self._overview, self.pages.frames
         overview.frames, overview.is_text = count, self._reading.part.is_text
-        is_program = overview.image is not None
+        is_program = self.frames.image is not None
         return {
             "headline": headline(self._bare[0] if self._bare else overview.headline(self._findings)),
             "error": overview.complaints(),
@@ -265,7 +265,7 @@ class Input:
     def proposals(self) -> list[dict[str, str]]:
         """Returns what can be done about the input, for JSON: the label of each button, and the text that it makes."""
         text = self._overview.text
-        if not text or self._overview.image is not None or self.pages.frames > FEW:
+        if not text or self.frames.image is not None or self.pages.frames > FEW:
             return []
         problems = self._overview.problems if self._overview.first is None else []
         found = [self._bare[1]] if self._bare else proposals(text, self._wrong(), problems)

@@ -2594,12 +2594,33 @@ local SLIPS = {
     length = "the length field says that {length} bytes follow it, but there are {follow}",
     left_over = "the frame before ends here by its length field, {bytes} before the end of what was sent",
 }
--- Why arguments and fields cannot be read.
+-- Why frames cannot be read.
 local REASONS = {
+    no_header = "a frame has at least 5 bytes (length, counter, type), this one has {size}",
+    wrong_length = "the length field says {length}; it can be 3 to 1022",
+    too_long = "the frame has {size} bytes; the maximum is 1024",
+    cut_off = "the frame is cut off: its length field says that {length} bytes follow, but {size} do",
+    longer = "the frame is longer than its length field says: {length} bytes should follow it, but {size} do",
+    bootloader = "{reason}. From a brick on a USB 3 port this is a known fault of its bootloader: the reply to {name} with the request written " ..
+        "over its first bytes",
+    no_type = "unknown message type {byte}",
+    two = "{reason}; and at offset {offset}: {inner}",
+    direct_command = "the frame ends before the two bytes that request memory",
+    system_command = "the frame ends before the system command",
+    system_reply = "the frame ends before the command answered and the status",
+    daisy_command = "the frame ends before the sub-command and the two layers",
+    daisy_reply = "the frame ends before the two layers",
+    no_system = "unknown system command {byte}",
+    no_daisy = "unknown daisy sub-command {byte}",
+    no_opcode = "unknown opcode {byte} for the {dialect} firmware",
+    no_cmd = "{owner} has no CMD {value} (it has {known}, ...)",
+    variable_cmd = "CMD of {owner} is {value}, but must be a constant",
     no_argument = "the frame ends before the argument {name}",
+    no_form = "undefined identification byte {byte} (argument {name})",
     cut_string = "the string {name} runs past the end of the frame: its terminating zero is missing",
     cut_argument = "the argument {name} runs past the end of the frame: {form} needs {more}",
-    variable_cmd = "CMD of {owner} is {value}, but must be a constant",
+    no_count = "{name} must be a constant: it is the number of values that follow",
+    no_room = "{name} cannot be {value}: there is room for 0 to {room} values",
     left_over = "{bytes} left over after the last field",
     wrong_count = "{counter} says {stated} bytes, but {size} follow to the end of the frame",
     cut_text = "a text of length {length} runs past the end of the frame",
@@ -4513,13 +4534,12 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            local reason = "the frame ends before the sub-command and the two layers"
-            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = reason })))
+            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = REASONS.daisy_command })))
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
         if not name then
-            local reason = format("unknown daisy sub-command 0x%02X", number)
+            local reason = phrases.filled(REASONS.no_daisy, { byte = format("0x%02X", number) })
             set_fault(message, at, phrases.finding("UNKNOWN_DAISY", { reason = reason }), "fault")
         end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
@@ -4534,7 +4554,7 @@ do
 
     local function show_daisy_reply(message, view)
         local at, stop = HEADER_SIZE, message.stop
-        if stop < at + 2 then return cut_off(message, view, "the frame ends before the two layers") end
+        if stop < at + 2 then return cut_off(message, view, REASONS.daisy_reply) end
         local payload = add_layers(message, view, at)
         local line = format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
         at = at + 2
@@ -4629,8 +4649,7 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
-                or "the frame ends before the command answered and the status"
+            local reason = type.is_command and phrases.finding("NO_SYSTEM", {}) or REASONS.system_reply
             return set_fault(message, stop, reason, "cut_off")
         end
         local number = byte(text, at + 1)
@@ -6392,4 +6411,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 67de33baccd48ef6
+-- Checksum of the lines above, by which a changed file is recognised: 8f0a6b5a0398b4c3

@@ -15,7 +15,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ev3proto.checking.report import Finding, Severity
-from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE, MOST_IN_REPLY, with_length
+from ev3proto.schema.header import COMMAND_HEADER_SIZE, MOST_IN_REPLY, with_length
+from ev3proto.schema.reasons import REASONS
 from ev3proto.semantics.advice import STATED
 from ev3proto.semantics.judgement import Wrong
 from ev3proto.tables import mailboxes, operations
@@ -167,10 +168,7 @@ TOO_SHORT = _code(
     """,
     _frame("03:00|2A:00"),
     VOLTAGE,
-    words=Words(
-        f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {{size}}",
-        "start at the length field and include the whole frame",
-    ),
+    words=Words(REASONS["no_header"], "start at the length field and include the whole frame"),
 )
 INCOMPLETE = _code(
     "E102",

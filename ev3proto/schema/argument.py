@@ -12,6 +12,7 @@ from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, counted
 from ev3proto.messages import Argument, Variable
+from ev3proto.schema.reasons import unreadable
 from ev3proto.tables.declaration import Direction, Parameter, Type
 from ev3proto.tables.encoding import (
     ADDRESS_BIT,
@@ -106,27 +107,16 @@ def read_arguments(readers: Iterable[Reader], data: bytes, at: int, end: int, fo
 
 def _unreadable(parameter: Parameter, data: bytes, at: int, end: int) -> DecodeError:
     """Returns the error for a missing or unreadable argument at an offset."""
-    encoding = ENCODINGS[data[at]] if at < end else None
-    parts: dict[str, object] = {"name": parameter.name}
+    name = parameter.name
     if at >= end:
-        key = "no_argument"
-    elif encoding is None:
-        return DecodeError(at, f"undefined identification byte 0x{data[at]:02X} (argument {parameter.name})")
-    elif encoding.width is None:
-        key = "cut_string"
-    else:
-        key = "cut_argument"
-        parts |= {"form": encoding.name, "more": counted(at + 1 + encoding.width - end, "more byte")}
-    return DecodeError(min(at, end), UNREADABLE[key].format(**parts), truncated=True)
-
-
-UNREADABLE = {
-    "no_argument": "the frame ends before the argument {name}",
-    "cut_string": "the string {name} runs past the end of the frame: its terminating zero is missing",
-    "cut_argument": "the argument {name} runs past the end of the frame: {form} needs {more}",
-    "variable_cmd": "CMD of {owner} is {value}, but must be a constant",
-}
-"""Why an argument cannot be read."""
+        return unreadable(end, "no_argument", True, name=name)
+    encoding = ENCODINGS[data[at]]
+    if encoding is None:
+        return unreadable(at, "no_form", byte=data[at], name=name)
+    if encoding.width is None:
+        return unreadable(at, "cut_string", True, name=name)
+    more = counted(at + 1 + encoding.width - end, "more byte")
+    return unreadable(at, "cut_argument", True, name=name, form=encoding.name, more=more)
 
 
 class ArgumentSchema:

@@ -13,6 +13,7 @@ from construct.core import ConstructError
 from ev3proto.errors import BuildError, DecodeError, counted, near_misses
 from ev3proto.messages import FieldValue
 from ev3proto.schema.argument import text_bytes
+from ev3proto.schema.reasons import REASONS, unreadable
 from ev3proto.schema.wire_format import NUMBERS, fields_of
 from ev3proto.tables.mailboxes import message_of
 from ev3proto.tables.system import SYSTEM, SYSTEM_BY_NUMBER, FieldKind, SystemDeclaration, SystemField
@@ -61,24 +62,22 @@ class Fields:
                 return values, at, self._fault(field, values, data, at)
             at = stream.tell()
         if at < len(data):
-            left = len(data) - at
-            return values, at, DecodeError(at, UNREADABLE["left_over"].format(bytes=counted(left, "byte")))
+            return values, at, unreadable(at, "left_over", bytes=counted(len(data) - at, "byte"))
         return values, at, None
 
     def _fault(self, field: SystemField, before: Mapping[str, FieldValue], data: bytes, at: int) -> DecodeError:
         """Returns why a field cannot be read."""
         counter = self._counters.get(field.name)
         if counter is None:
-            return DecodeError(at, _too_short(field), truncated=True)
+            key = "endless_text" if field.kind is FieldKind.TEXT else "no_field"
+            return unreadable(at, key, True, name=field.name, kind=field.kind.value)
         length, left = before[counter], len(data) - at
         assert isinstance(length, int)
         if field.kind is FieldKind.DATA:
-            return DecodeError(at, _wrong_count(counter, length, left))
+            return unreadable(at, "wrong_count", counter=counter, stated=length, size=left)
         if left <= length:
-            key = "cut_text" if left < length else "no_zero"
-            return DecodeError(at, UNREADABLE[key].format(length=length), truncated=True)
-        end = at + length
-        return DecodeError(end, UNREADABLE["other_zero"].format(length=length, byte=f"0x{data[end]:02X}"))
+            return unreadable(at, "cut_text" if left < length else "no_zero", True, length=length)
+        return unreadable(at + length, "other_zero", length=length, byte=data[at + length])
 
     def write(self, value: Mapping[str, Any]) -> bytes:
         """Writes fields.
@@ -159,7 +158,8 @@ class Fields:
             if not isinstance(value, bytes):
                 raise BuildError(f"{field.name} takes bytes, not {value!r}")
             if counter is not None and len(value) != values[counter]:
-                raise BuildError(_wrong_count(counter, values[counter], len(value)))
+                stated = values[counter]
+                raise BuildError(REASONS["wrong_count"].format(counter=counter, stated=stated, size=len(value)))
         else:
             size = len(_text(value, field.name, zeros=field.kind is not FieldKind.TEXT))
             if counter is not None and values[counter] not in (size, size + 1):
@@ -180,27 +180,6 @@ def _message(name: str, value: Any) -> bytes:
         return message_of(value)
     except OverflowError:
         raise BuildError(f"{name} cannot be {value!r}: a number in a message is a single (4 bytes)") from None
-
-
-UNREADABLE = {
-    "left_over": "{bytes} left over after the last field",
-    "wrong_count": "{counter} says {stated} bytes, but {size} follow to the end of the frame",
-    "cut_text": "a text of length {length} runs past the end of the frame",
-    "no_zero": "the terminating zero of a text is missing",
-    "other_zero": "a text of length {length} must end with a zero, not with {byte}",
-    "endless_text": "the text {name} runs past the end of the frame: its terminating zero is missing",
-    "no_field": "the frame ends before the field {name} ({kind})",
-}
-"""Why the fields of a system message cannot be read."""
-
-
-def _wrong_count(counter: str, stated: int, size: int) -> str:
-    return UNREADABLE["wrong_count"].format(counter=counter, stated=stated, size=size)
-
-
-def _too_short(field: SystemField) -> str:
-    key = "endless_text" if field.kind is FieldKind.TEXT else "no_field"
-    return UNREADABLE[key].format(name=field.name, kind=field.kind.value)
 
 
 REQUESTS = {command.number: Fields(command.request) for command in SYSTEM}

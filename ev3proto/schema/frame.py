@@ -34,9 +34,10 @@ from ev3proto.schema.header import (
     write_memory,
 )
 from ev3proto.schema.instructions import InstructionSet, instruction_set
+from ev3proto.schema.reasons import unreadable
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.tables import daisy, system
-from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MAX_LENGTH, MESSAGE_TYPES, MIN_LENGTH, MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, MESSAGE_TYPES, MessageType
 
 Body = tuple[Message, bytes, DecodeError | None]
 """A message, the unreadable bytes at its end, and the reason."""
@@ -51,13 +52,13 @@ class FrameReader:
         self._dialect = dialect
         self.instructions: InstructionSet = instruction_set(dialect)
         # The class of each kind of message, the reader of its body, and the fixed part that this begins with.
-        bodies: dict[str, tuple[type[Message], BodyReader, int, str]] = {
-            "direct-command": (DirectCommand, self._direct_command, 2, "the two bytes that request memory"),
-            "direct-reply": (DirectReply, self._direct_reply, 0, ""),
-            "system-command": (SystemCommand, self._system_command, 1, "the system command"),
-            "system-reply": (SystemReply, self._system_reply, 2, "the command answered and the status"),
-            "daisy-command": (DaisyCommand, self._daisy_command, 3, "the sub-command and the two layers"),
-            "daisy-reply": (DaisyReply, self._daisy_reply, 2, "the two layers"),
+        bodies: dict[str, tuple[type[Message], BodyReader, int]] = {
+            "direct-command": (DirectCommand, self._direct_command, 2),
+            "direct-reply": (DirectReply, self._direct_reply, 0),
+            "system-command": (SystemCommand, self._system_command, 1),
+            "system-reply": (SystemReply, self._system_reply, 2),
+            "daisy-command": (DaisyCommand, self._daisy_command, 3),
+            "daisy-reply": (DaisyReply, self._daisy_reply, 2),
         }
         self._types = {number: (member, *bodies[member.kind]) for number, member in MESSAGE_TYPES.items()}
 
@@ -80,11 +81,7 @@ class FrameReader:
         """
         size = len(frame)
         if size < HEADER_SIZE:
-            cut = DecodeError(
-                size,
-                f"a frame has at least {HEADER_SIZE} bytes (length, counter, type), this one has {size}",
-                truncated=True,
-            )
+            cut = unreadable(size, "no_header", True, size=size)
             if strict:
                 raise cut
             return Message(flaw=Flaw(cut.fault, frame))
@@ -100,13 +97,13 @@ class FrameReader:
                 stated = length
                 contents = frame[: max(length + LENGTH_FIELD, HEADER_SIZE)]
             elif size > MAX_FRAME and not may_be_long(frame):
-                envelope = DecodeError(0, f"the frame has {size} bytes; the maximum is {MAX_FRAME}")
+                envelope = unreadable(0, "too_long", size=size)
             if known is None:
                 return Message(counter=counter, flaw=Flaw(envelope.fault, frame, stated))
-        member, kind, read_body, fixed, what = known
+        member, kind, read_body, fixed = known
         is_headless = len(contents) < HEADER_SIZE + fixed
         if is_headless:
-            cut = DecodeError(len(contents), f"the frame ends before {what}", truncated=True)
+            cut = unreadable(len(contents), member.kind, True)
             body: Body = kind(type=member, counter=counter), contents[HEADER_SIZE:], cut
         else:
             body = read_body(contents, counter, member)
@@ -143,7 +140,7 @@ class FrameReader:
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
             message = SystemCommand(type=member, counter=counter, number=number)
-            return message, frame[at + 1 :], DecodeError(at, f"unknown system command 0x{number:02X}")
+            return message, frame[at + 1 :], unreadable(at, "no_system", byte=number)
         fields, at, fault = REQUESTS[number].read_leniently(frame, at + 1, complete=True)
         message = SystemCommand(type=member, counter=counter, number=number, command=known.name, fields=fields)
         return message, frame[at:], fault
@@ -154,7 +151,7 @@ class FrameReader:
         known = system.SYSTEM_BY_NUMBER.get(number)
         if known is None:
             reply = SystemReply(type=member, counter=counter, number=number, status_code=status)
-            return reply, frame[at + 2 :], DecodeError(at, f"unknown system command 0x{number:02X}")
+            return reply, frame[at + 2 :], unreadable(at, "no_system", byte=number)
         failed = status != system.SystemStatus.SUCCESS or member.is_error
         fields, at, fault = REPLIES[number].read_leniently(frame, at + 2, complete=not failed)
         reply = SystemReply(
@@ -176,7 +173,7 @@ class FrameReader:
         try:
             command = daisy.DaisySubCommand(number)
         except ValueError:
-            fault = DecodeError(at, f"unknown daisy sub-command 0x{number:02X}")
+            fault = unreadable(at, "no_daisy", byte=number)
         else:
             name = command.name
             found, wrong = (
@@ -261,34 +258,18 @@ def _fields(schemas: Mapping[int, Fields], message: SystemCommand | SystemReply)
 
 def _envelope_error(frame: bytes, length: int, code: int) -> DecodeError:
     """Returns what is wrong with the frame outside its body."""
-    size = len(frame)
+    size = len(frame) - LENGTH_FIELD
     if not may_have_length(frame):
-        return DecodeError(0, f"the length field says {length}; it can be {MIN_LENGTH} to {MAX_LENGTH}")
-    end = length + LENGTH_FIELD
-    if size < end:
-        return DecodeError(
-            0,
-            f"the frame is cut off: its length field says that {length} bytes follow, but {size - LENGTH_FIELD} do",
-            True,
-        )
-    if size > end:
-        return DecodeError(
-            end,
-            f"the frame is longer than its length field says: {length} bytes should follow it, but"
-            f" {size - LENGTH_FIELD} do{_bootloader_hint(frame, code)}",
-        )
-    return DecodeError(HEADER_SIZE - 1, f"unknown message type 0x{code:02X}")
-
-
-def _bootloader_hint(frame: bytes, code: int) -> str:
-    """Describes a known fault of the brick's bootloader if the bytes match it."""
+        return unreadable(0, "wrong_length", length=length)
+    if size < length:
+        return unreadable(0, "cut_off", True, length=length, size=size)
+    if size == length:
+        return unreadable(HEADER_SIZE - 1, "no_type", byte=code)
+    longer = unreadable(length + LENGTH_FIELD, "longer", length=length, size=size)
     known = system.SYSTEM_BY_NUMBER.get(frame[HEADER_SIZE]) if len(frame) > HEADER_SIZE else None
     if code == MessageType.SYSTEM_COMMAND_REPLY and known is not None and known.bootloader:
-        return (
-            ". From a brick on a USB 3 port this is a known fault of its bootloader: the reply to"
-            f" {known.name} with the request written over its first bytes"
-        )
-    return ""
+        return unreadable(longer.offset, "bootloader", reason=longer.reason, name=known.name)
+    return longer
 
 
 def _worse(envelope: DecodeError | None, inner: DecodeError | None) -> Fault:
@@ -298,7 +279,7 @@ def _worse(envelope: DecodeError | None, inner: DecodeError | None) -> Fault:
         return inner.fault
     if inner is None or inner.truncated:
         return envelope.fault
-    return Fault(envelope.offset, f"{envelope.reason}; and at offset {inner.offset}: {inner.reason}")
+    return unreadable(envelope.offset, "two", reason=envelope.reason, offset=inner.offset, inner=inner.reason).fault
 
 
 _READERS: dict[str, FrameReader] = {}

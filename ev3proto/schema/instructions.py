@@ -12,7 +12,8 @@ from typing import Any
 
 from ev3proto.errors import BuildError, DecodeError, near_misses
 from ev3proto.messages import Argument, Operation, PartialOperation, Variable
-from ev3proto.schema.argument import UNREADABLE, ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
+from ev3proto.schema.argument import ArgumentSchema, Reader, encode_integer, read_arguments, reader_of
+from ev3proto.schema.reasons import unreadable
 from ev3proto.tables import OPCODES, check_dialect
 from ev3proto.tables.declaration import DATA8, Command, Declaration, Opcode, Parameter, Type
 from ev3proto.tables.encoding import CONSTANT, COUNTS
@@ -73,15 +74,11 @@ class OperationSchema:
         """Returns the number of list elements that an argument announces, for which `room` bytes are available."""
         most = COUNTS.high
         if counter.kind != CONSTANT or not isinstance(counter.value, int):
-            reason = f"{counter.name} must be a constant: it is the number of values that follow"
-            raise DecodeError(counter.offset, reason)
+            raise unreadable(counter.offset, "no_count", name=counter.name)
         bound = min(room, most) if counter.parameter.counts else room
         if not 0 <= counter.value <= bound:
-            raise DecodeError(
-                counter.offset,
-                f"{counter.name} cannot be {counter.value}: there is room for 0 to {bound} values",
-                truncated=0 <= counter.value <= most,
-            )
+            is_cut = 0 <= counter.value <= most
+            raise unreadable(counter.offset, "no_room", is_cut, name=counter.name, value=counter.value, room=bound)
         return counter.value
 
     def _listed(self, element: Parameter, count: int) -> Iterator[ArgumentSchema]:
@@ -361,7 +358,7 @@ class InstructionSet:
         """Returns the schema for the opcode and CMD at an offset, and where its arguments start."""
         family = self.families[data[at]]
         if family is None:
-            raise DecodeError(at, f"unknown opcode 0x{data[at]:02X} for the {self.dialect} firmware")
+            raise unreadable(at, "no_opcode", byte=data[at], dialect=self.dialect)
         schema = family.short.get(data[at + 1]) if at + 1 < end else None
         if schema is not None:
             return schema, at + 2
@@ -371,11 +368,11 @@ class InstructionSet:
         if cmd.kind != CONSTANT:
             index, kind = cmd.value, cmd.kind
             said = str(Variable(kind, index)) if cmd.is_variable and isinstance(index, int) else f"a {kind}"
-            raise DecodeError(at + 1, UNREADABLE["variable_cmd"].format(owner=family.opcode.name, value=said))
+            raise unreadable(at + 1, "variable_cmd", owner=family.opcode.name, value=said)
         schema = family.commands.get(cmd.value)
         if schema is None:
             known = ", ".join(f"{number} {found.declaration.command.name}" for number, found in _first(family.commands))
-            raise DecodeError(at + 1, f"{family.opcode.name} has no CMD {cmd.value} (it has {known}, ...)")
+            raise unreadable(at + 1, "no_cmd", owner=family.opcode.name, value=cmd.value, known=known)
         return schema, stop
 
     def named(self, name: str) -> OperationSchema:

@@ -121,6 +121,7 @@ FACES = {
             "constructors",
             "discovery",
             "names",
+            "reasons",
         ),
         "wire_format",
     ),

@@ -12,8 +12,8 @@ from ev3proto.checking import codes
 from ev3proto.checking.codes import CODES, MAILBOX_CONTENT, MAILBOX_NAME, NEVER_RUNS, NO_PORTS, OF_VALUES
 from ev3proto.generate.dissector.fields import EXPERTS, FIELDS, HEXADECIMAL, filter_name
 from ev3proto.generate.dissector.lua import Name, Rows, Table, hexadecimal, literal
-from ev3proto.schema import argument, fields
 from ev3proto.schema.header import COMMAND_HEADER_SIZE, HEADER_SIZE
+from ev3proto.schema.reasons import REASONS
 from ev3proto.schema.wire_format import SENSOR_REPORT
 from ev3proto.semantics import pairing, transfers
 from ev3proto.semantics.advice import LEFT_OVER, SENT_WITH
@@ -488,8 +488,8 @@ def _findings() -> Iterator[str]:
     yield _assign("MOST_IN_MAILBOX", Table(named=most))
     slips: dict[Any, object] = {name.replace("-", "_"): said for name, said in SENT_WITH.items()}
     yield _assign("SLIPS", Rows(named=slips | {"left_over": LEFT_OVER}))
-    yield "-- Why arguments and fields cannot be read.\n"
-    yield _assign("REASONS", Rows(named={**argument.UNREADABLE, **fields.UNREADABLE}))
+    yield "-- Why frames cannot be read.\n"
+    yield _assign("REASONS", Rows(named={key.replace("-", "_"): said for key, said in REASONS.items()}))
     refused: dict[Any, object] = {OF_VALUES[wrong].code: True for wrong in (Wrong.REFUSED, Wrong.LABEL_NUMBER)}
     yield _assign("REFUSED", Table(named=refused))
 

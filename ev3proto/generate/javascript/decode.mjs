@@ -1,6 +1,6 @@
 // The tables by number and name
 const byNumber = (list) => new Map(list.map((each) => [each.number, each]));
-const kinds = Object.fromEntries(TABLES.types.map((each) => [each.name, each]));
+const kinds = Object.fromEntries(TABLES.types.map((each) => [each.name, { size: 1, ...each }]));
 const formats = new Map(TABLES.format_types.map(({ format, type }) => [format, kinds[type]]));
 const { DATA8, DATA16, DATA32, DATAF, handle: HANDLE, string: STRING, label: LABEL, "array-typed": UNTYPED } = kinds;
 const types = byNumber(TABLES.message_types), system = byNumber(TABLES.system_commands), daisy = byNumber(TABLES.daisy_commands);
@@ -13,11 +13,10 @@ for (const { first, last, name, value, ...form } of TABLES.encodings) {
 }
 
 /** Returns what is known of an operation: its names, its parameters, and the list at its end. */
-const declared = (opcode, command = null) => {
-  const { parameters = [] } = command ?? opcode, fixed = parameters.map((each) => ({ ...each, kind: kinds[each.type] }));
-  const entry = { op: opcode.name, command: command?.name ?? null, fixed, tail: null, reading: parameters.find(({ role }) => role)?.role };
-  const last = fixed.at(-1);
-  if (!last?.element && !last?.element_from) return entry;
+const declared = (op, { name: command, parameters = [] }) => {
+  const fixed = parameters.map((each) => ({ ...each, kind: kinds[each.type] })), last = fixed.at(-1) ?? {};
+  const entry = { op, command, fixed, tail: null, reading: parameters.find(({ role }) => role)?.role };
+  if (!last.element && !last.element_from) return entry;
   const element = { ...last, direction: last.elements, kind: kinds[last.element] ?? UNTYPED };
   if (last.type === "values") fixed.pop();
   return { ...entry, tail: { hasOwnCount: last.type === "count", element, typedBy: last.element_from, made: {} } };
@@ -25,15 +24,16 @@ const declared = (opcode, command = null) => {
 
 /** Returns the operations of a dialect, by the numbers of opcode and CMD. */
 const read = (dialect) => {
+  if (!TABLES.dialects.includes(dialect)) throw new RangeError(`unknown dialect ${dialect}; it can be ${TABLES.dialects.join(", ")}`);
   const opcodes = [], has = ({ dialects = TABLES.dialects }) => dialects.includes(dialect);
   for (const opcode of Object.values(TABLES.areas).flat().filter(has)) {
-    const cmds = opcode.commands?.filter(has).map((each) => [each.number, declared(opcode, each)]);
-    opcodes[opcode.number] = { name: opcode.name, plain: cmds ? null : declared(opcode), cmds: new Map(cmds) };
+    const cmds = opcode.commands?.filter(has).map((each) => [each.number, declared(opcode.name, each)]);
+    opcodes[opcode.number] = { name: opcode.name, plain: cmds ? null : declared(opcode.name, { ...opcode, name: null }), cmds: new Map(cmds) };
   }
   return { dialect, opcodes };
 };
-const sets = {};
-const instructions = (dialect) => (sets[dialect] ??= read(dialect));
+const sets = Object.create(null);
+const instructions = (dialect = "official") => (sets[dialect] ??= read(dialect));
 const entryOf = ({ opcode, command }, { opcodes }) => opcodes[opcode].plain ?? [...opcodes[opcode].cmds.values()].find((each) => each.command === command);
 
 /** Returns the parameter of an argument, which for an element of a list may depend on the arguments before it. */
@@ -73,14 +73,15 @@ const nameOf = (names, value) => {
 
 // Operations
 /** What is wrong, and where; `truncated` if more bytes could mend it. */
-class Fault { constructor(offset, reason, truncated = false) { Object.assign(this, { offset, reason, truncated }); } }
+const said = (key, parts) => TABLES.reasons[key].replace(/{(\w+)}/g, (_, name) => (name === "byte" ? shown(parts.byte) : parts[name]));
+class Fault { constructor(offset, key, parts = {}, truncated = false) { Object.assign(this, { offset, reason: said(key, parts), truncated }); } }
 const faultOf = (read) => { try { return read() ?? null; } catch (fault) { if (fault instanceof Fault) return fault; throw fault; } };
-const cut = (data, what) => new Fault(data.length, `the frame ends before ${what}`, true);
+const cut = (data, kind) => new Fault(data.length, kind, {}, true);
 
 /** Reads a text up to its zero. Returns it, and the offset after it. */
-const readText = (data, start, at, what) => {
+const readText = (data, start, at, key, parts) => {
   const zero = data.indexOf(0, start);
-  if (zero < 0) throw new Fault(at, `the ${what} runs past the end of the frame: its terminating zero is missing`, true);
+  if (zero < 0) throw new Fault(at, key, parts, true);
   return [textOf(data.subarray(start, zero)), zero + 1];
 };
 
@@ -89,47 +90,50 @@ const isFloat = ({ kind, length }, parameter) => parameter.kind === DATAF && kin
 const LETTERS = { local: "L", global: "G" };
 const isVariable = ({ kind }) => kind in LETTERS;
 
+/** Returns the value of an argument and the offset after it. */
+const readValue = (data, at, parameter, form) => {
+  const { name } = parameter, { kind, encoding, width, value } = form, end = at + 1 + width, missing = end - data.length;
+  if (width === undefined) return readText(data, at + 1, at, "cut_string", { name });
+  if (value !== null) return [value, at + 1];
+  if (missing > 0) throw new Fault(at, "cut_argument", { name, form: encoding, more: counted(missing, "more byte") }, true);
+  if (isFloat({ kind, length: 1 + width }, parameter)) return [plain(numberAt(data, DATAF, at + 1)), end];
+  const number = unsigned(data, at + 1, width), isNegative = number >= 2 ** (8 * width - 1) && !isVariable(form);
+  return [isNegative ? number - 2 ** (8 * width) : number, end];
+};
+
 /** Reads an argument into a list. Returns the offset after it. */
 const readArgument = (data, at, parameter, args) => {
   const { name } = parameter, form = forms[data[at]];
-  if (at >= data.length) throw cut(data, `the argument ${name}`);
-  if (!form) throw new Fault(at, `undefined identification byte ${shown(data[at])} (argument ${name})`);
-  const { kind, encoding, width, handle, address } = form, argument = { name, kind, encoding, value: form.value, offset: at, length: 1 };
-  if (width === undefined) {
-    const [text, end] = readText(data, at + 1, at, `string ${name}`);
-    Object.assign(argument, { value: text, length: end - at });
-  } else if (form.value === null) {
-    argument.length = 1 + width;
-    const missing = at + 1 + width - data.length;
-    if (missing > 0) throw new Fault(at, `the argument ${name} runs past the end of the frame: ${encoding} needs ${counted(missing, "more byte")}`, true);
-    const value = unsigned(data, at + 1, width), isNegative = value >= 2 ** (8 * width - 1) && !isVariable(form);
-    argument.value = isFloat(argument, parameter) ? plain(numberAt(data, DATAF, at + 1)) : isNegative ? value - 2 ** (8 * width) : value;
-  }
-  const symbol = isVariable(form) || isFloat(argument, parameter) ? null : nameOf(TABLES.enumerations[parameter.enum], argument.value);
-  args.push(!handle && !address && symbol === null ? argument : Object.assign(argument, handle && { handle }, address && { address }, symbol !== null && { symbol }));
-  return at + argument.length;
+  if (at >= data.length) throw new Fault(at, "no_argument", { name }, true);
+  if (!form) throw new Fault(at, "no_form", { byte: data[at], name });
+  const { kind, encoding, handle, address } = form, read = readValue(data, at, parameter, form), value = read[0], end = read[1];
+  const argument = { name, kind, encoding, value, offset: at, length: end - at };
+  const symbol = isVariable(form) || isFloat(argument, parameter) ? null : nameOf(TABLES.enumerations[parameter.enum], value);
+  if (handle || address) Object.assign(argument, given({ handle, address }));
+  if (symbol !== null) argument.symbol = symbol;
+  args.push(argument);
+  return end;
 };
 const CMD = { name: "CMD", kind: DATA8 };
 
 /** Returns the entry at an opcode, CMD where it has one, and the offset after them. */
 const select = (data, at, { opcodes, dialect }) => {
   const opcode = opcodes[data[at]];
-  if (!opcode) throw new Fault(at, `unknown opcode ${shown(data[at])} for the ${dialect} firmware`);
+  if (!opcode) throw new Fault(at, "no_opcode", { byte: data[at], dialect });
   if (opcode.plain) return [opcode.plain, null, at + 1];
-  const args = [], next = readArgument(data, at + 1, CMD, args), [cmd] = args;
-  if (cmd.kind !== "constant") throw new Fault(at + 1, `CMD of ${opcode.name} is ${isVariable(cmd) ? `${LETTERS[cmd.kind]}V(${cmd.value})` : `a ${cmd.kind}`}, but must be a constant`);
-  const entry = opcode.cmds.get(cmd.value);
+  const args = [], next = readArgument(data, at + 1, CMD, args), [cmd] = args, { kind, value } = cmd, owner = opcode.name, entry = opcode.cmds.get(value);
+  if (kind !== "constant") throw new Fault(at + 1, "variable_cmd", { owner, value: isVariable(cmd) ? `${LETTERS[kind]}V(${value})` : `a ${kind}` });
   if (entry) return [entry, cmd, next];
   const first = [...opcode.cmds].sort(([one], [other]) => one - other).slice(0, 3).map(([number, { command }]) => `${number} ${command}`);
-  throw new Fault(at + 1, `${opcode.name} has no CMD ${cmd.value} (it has ${first.join(", ")}, ...)`);
+  throw new Fault(at + 1, "no_cmd", { owner, value, known: first.join(", ") });
 };
 
 /** Returns how many values of a list follow, for which there is some room. */
 const countOf = ({ hasOwnCount }, { name, kind, value, offset }, room) => {
   const most = TABLES.frame.most_counted, bound = hasOwnCount ? Math.min(room, most) : room;
-  if (kind !== "constant" || typeof value !== "number") throw new Fault(offset, `${name} must be a constant: it is the number of values that follow`);
+  if (kind !== "constant" || typeof value !== "number") throw new Fault(offset, "no_count", { name });
   if (value >= 0 && value <= bound) return value;
-  throw new Fault(offset, `${name} cannot be ${value}: there is room for 0 to ${bound} values`, value >= 0 && value <= most);
+  throw new Fault(offset, "no_room", { name, value, room: bound }, value >= 0 && value <= most);
 };
 
 /** Returns the argument of a parameter that is a constant whole number, null for any other. */
@@ -173,22 +177,22 @@ const readOperations = (data, start, set) => {
 // System messages, and what their bytes may mean
 /** Reads a text of a length that may count its zero. */
 const readCountedText = (data, at, length, left) => {
-  if (left < length) throw new Fault(at, `a text of length ${length} runs past the end of the frame`, true);
+  if (left < length) throw new Fault(at, "cut_text", { length }, true);
   const end = at + length, zero = data[end];
   if (length && data[end - 1] === 0) return [textOf(data.subarray(at, end - 1)), end];
-  if (left === length) throw new Fault(at, "the terminating zero of a text is missing", true);
-  if (zero) throw new Fault(end, `a text of length ${length} must end with a zero, not with ${shown(zero)}`);
+  if (left === length) throw new Fault(at, "no_zero", {}, true);
+  if (zero) throw new Fault(end, "other_zero", { length, byte: zero });
   return [textOf(data.subarray(at, end)), end + 1];
 };
 
 /** Returns the value of a field and the offset after it. */
 const readField = (data, at, { name, kind }, counter, length) => {
   const left = data.length - at, size = kind.startsWith("u") ? Number(kind.slice(1)) / 8 : 0;
-  if (left < size) throw new Fault(at, `the frame ends before the field ${name} (${kind})`, true);
+  if (left < size) throw new Fault(at, "no_field", { name, kind }, true);
   if (size) return [unsigned(data, at, size), at + size];
-  if (kind === "text") return readText(data, at, at, `text ${name}`);
+  if (kind === "text") return readText(data, at, at, "endless_text", { name });
   if (kind === "counted text") return readCountedText(data, at, length, left);
-  if (length !== undefined && length !== left) throw new Fault(at, `${counter} says ${length} bytes, but ${left} follow to the end of the frame`);
+  if (length !== undefined && length !== left) throw new Fault(at, "wrong_count", { counter, stated: length, size: left });
   return [kind === "listing" ? textOf(data.subarray(at)) : data.subarray(at), data.length];
 };
 
@@ -204,12 +208,11 @@ const readFields = (list, data, begin, mayEnd) => {
       places[name] = { offset: at, length: end - at };
       at = end;
     }
-    return at < data.length ? new Fault(at, `${counted(data.length - at, "byte")} left over after the last field`) : null;
+    return at < data.length ? new Fault(at, "left_over", { bytes: counted(data.length - at, "byte") }) : null;
   });
   return { fields, places, at, fault };
 };
 const plainFields = (fields) => Object.fromEntries(Object.entries(fields).map(([name, value]) => [name, plain(value)]));
-
 const isPrintable = (bytes) => bytes.every((byte) => (byte >= 0x20 && byte < 0x7f) || byte >= 0xa0);
 const isLikely = (number) => number === 0 || Number.isNaN(number) || (Math.abs(number) >= 1e-6 && Math.abs(number) < 1e7);
 const orNone = (found) => (Object.keys(found).length ? { readings: found } : {});
@@ -238,8 +241,9 @@ const guesses = (memory) => {
 // Replies to direct commands: the memory, by the outputs of the command
 /** Returns how many values an operation writes to an argument; null if it does not say. */
 const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, fixed, args) => {
-  const name = from ?? indexedBy, count = name === undefined ? 1 : wholeOf(name, fixed, args);
-  if (length !== undefined || name === undefined || count === null) return length ?? count;
+  const name = from ?? indexedBy, count = wholeOf(name, fixed, args);
+  if (length !== undefined || name === undefined) return length ?? 1;
+  if (count === null) return null;
   if (from === undefined) return count >= 0 ? count + 1 : null;
   return count === -1 && kind === STRING ? null : Math.abs(count);
 };
@@ -248,27 +252,26 @@ const lengthOf = ({ length, length_from: from, indexed_by: indexedBy, kind }, fi
 const outputsOf = (operation, set) => {
   const entry = entryOf(operation, set), { args } = operation;
   return args.flatMap((argument, index) => {
-    const parameter = parameterOf(entry, args, index), { kind, direction = "in" } = parameter, isElement = index >= entry.fixed.length;
-    if (argument.kind !== "global" || direction === "in" || argument.address) return [];
-    const start = argument.value, count = lengthOf(parameter, isElement ? [] : entry.fixed, args), hasLength = (parameter.length ?? parameter.length_from) !== undefined;
+    const parameter = parameterOf(entry, args, index), { kind, direction, length, length_from: from } = parameter, start = argument.value;
+    if (argument.kind !== "global" || !direction || argument.address) return [];
     if (argument.handle) return [{ argument, kind: HANDLE, start, end: start + 2, isArray: false, parameter: {} }];
-    const isOpen = count === null || (kind === STRING && !hasLength) || (kind === UNTYPED && isElement);
-    return [{ argument, kind, start, end: isOpen ? null : start + Math.max(kind.size ?? 1, 1) * count, isArray: hasLength, parameter }];
+    const count = lengthOf(parameter, entry.fixed, args), isArray = [length, from].some((each) => each !== undefined);
+    const isOpen = count === null || (kind === STRING && !isArray) || (kind === UNTYPED && index >= entry.fixed.length);
+    return [{ argument, kind, start, end: isOpen ? Infinity : start + kind.size * count, isArray, parameter }];
   });
 };
 
 /** Reads the text or the numbers that an output has in memory; null for none. `room` is the number of bytes before the next output. */
 const readOutput = (memory, { kind: stated, start, end, isArray, parameter }, room) => {
-  const rest = memory.subarray(start, end ?? memory.length), isList = isArray && stated !== UNTYPED;
+  const rest = memory.subarray(start, end), isList = isArray && stated !== UNTYPED;
   const kind = stated === UNTYPED ? [DATA32, DATA16, DATA8].find(({ size }) => size <= room) : stated;
-  const text = kind === STRING ? textOf(rest).split("\0")[0] : null;
-  if (text !== null) return { value: text, kind, length: text.length };
+  const [text] = textOf(rest).split("\0");
+  if (kind === STRING) return { value: text, kind, length: text.length, symbol: null };
   const length = isList ? Math.floor(rest.length / kind.size) * kind.size : kind.size;
   if (length < 1 || start + length > memory.length) return null;
   const numbers = Array.from({ length: length / kind.size }, (_, index) => numberAt(memory, kind, start + index * kind.size));
-  const names = stated === UNTYPED || kind === DATAF ? undefined : TABLES.enumerations[parameter.enum];
-  const symbols = names ? numbers.map((each) => nameOf(names, each)) : [null];
-  return isList ? { value: numbers, kind, length, symbol: names ? symbols : null } : { value: numbers[0], kind, length, symbol: symbols[0] };
+  const names = TABLES.enumerations[parameter.enum], symbol = isList && names ? numbers.map((each) => nameOf(names, each)) : nameOf(names, numbers[0]);
+  return { value: isList ? numbers : numbers[0], kind, length, symbol };
 };
 
 const replyValues = ({ operations }, memory, set) => operations.flatMap((operation) => {
@@ -277,7 +280,7 @@ const replyValues = ({ operations }, memory, set) => operations.flatMap((operati
     const { argument, start, parameter } = output, next = outputs.map((each) => each.start).filter((each) => each > start);
     const read = readOutput(memory, output, Math.min(memory.length, ...next) - start);
     if (!read) return [];
-    const { value, kind, length, symbol = null } = read, { quantity, unit = quantity ? undefined : parameter.unit } = argument;
+    const { value, kind, length, symbol } = read, { quantity, unit = quantity ? undefined : parameter.unit } = argument;
     const found = { op: operation.op, command: operation.command, name: argument.name, value: plain(value), type: kind.name, offset: 5 + start, length };
     return [{ ...found, ...(unit && { unit }), ...(quantity && { quantity }), ...(symbol !== null && { symbol }) }];
   });
@@ -285,96 +288,92 @@ const replyValues = ({ operations }, memory, set) => operations.flatMap((operati
 
 // Frames
 const MOST = TABLES.frame.most_bytes, MOST_WAITING = 65536, MOST_ALIKE = 256;
-const unknown = (number, what = "system command") => new Fault(5, `unknown ${what} ${shown(number)}`);
+const statusOf = (isError) => (isError ? "error" : "ok");
+const given = (keys) => Object.fromEntries(Object.entries(keys).filter(([, value]) => value !== undefined));
 
 /** What is in a message, by its kind: its keys, the fault, and the offset from which on nothing was read. */
 const BODIES = {
   "direct-command": (data, { set }) => {
-    if (data.length < 7) return { globals: 0, locals: 0, operations: [], at: 5, fault: cut(data, "the two bytes that request memory") };
+    if (data.length < 7) return { globals: 0, locals: 0, operations: [], at: 5, fault: cut(data, "direct-command") };
     const memory = unsigned(data, 5, 2), bits = TABLES.frame.global_bits, { operations, at, fault } = readOperations(data, 7, set);
     return { globals: memory % 2 ** bits, locals: memory >> bits, operations, at, fault };
   },
   "direct-reply": (data, { isError, request, set }) => {
     const memory = data.subarray(5), isRead = !isError && request?.kind === "direct-command";
     const found = request ? { values: isRead ? replyValues(request, memory, set) : [] } : guesses(memory);
-    return { status: isError ? "error" : "ok", memory: hexOf(memory), ...found };
+    return { status: statusOf(isError), memory: hexOf(memory), ...found };
   },
   "system-command": (data) => {
     const number = data[5], entry = system.get(number), found = { command: entry?.name ?? null, number: number ?? 0, fields: {}, at: 6 };
-    if (number === undefined) return { ...found, fault: cut(data, "the system command"), at: 5 };
-    if (!entry) return { ...found, fault: unknown(number) };
+    if (number === undefined) return { ...found, fault: cut(data, "system-command"), at: 5 };
+    if (!entry) return { ...found, fault: new Fault(5, "no_system", { byte: number }) };
     const { fields, at, fault } = readFields(entry.request, data, 6, false), payload = fields[entry.request.find((each) => each.is_message)?.name];
     return { ...found, fields: plainFields(fields), ...(payload ? readings(payload) : {}), at, fault };
   },
   "system-reply": (data, { isError }) => {
-    const none = { command: null, number: 0, status: isError ? "error" : "ok", status_code: 0, fields: {}, values: [] };
-    if (data.length < 7) return { ...none, at: 5, fault: cut(data, "the command answered and the status") };
-    const [number, code] = data.subarray(5), entry = system.get(number), status = statuses.get(code);
-    const found = { ...none, command: entry?.name ?? null, number, status: isError || !status || status.is_failure ? "error" : "ok", status_code: code };
-    if (status) found.status_name = status.name;
-    if (entry?.statuses?.[code]) found.status_meaning = entry.statuses[code];
-    if (!entry) return { ...found, at: 7, fault: unknown(number) };
-    const { fields, places, at, fault } = readFields(entry.reply, data, 7, isError || code !== 0);
-    const values = entry.reply.filter(({ name }) => name in fields).map(({ name, kind }) => (
-      { op: entry.name, command: null, name, value: plain(fields[name]), type: kind, ...places[name] }
-    ));
-    return { ...found, fields: plainFields(fields), values, at, fault };
+    const none = { command: null, number: 0, status: statusOf(isError), status_code: 0, fields: {}, values: [] };
+    if (data.length < 7) return { ...none, at: 5, fault: cut(data, "system-reply") };
+    const [number, code] = data.subarray(5), { name: saying, is_failure: isFailure } = statuses.get(code) ?? { is_failure: true };
+    const { name: command = null, reply, statuses: { [code]: meaning } = {} } = system.get(number) ?? {};
+    const found = { ...none, command, number, status: statusOf(isError || isFailure), status_code: code, ...given({ status_name: saying, status_meaning: meaning }) };
+    if (!reply) return { ...found, at: 7, fault: new Fault(5, "no_system", { byte: number }) };
+    const { fields, places, at, fault } = readFields(reply, data, 7, isError || code !== 0);
+    const has = ({ name }) => name in fields, valueOf = ({ name, kind: type }) => ({ op: command, command: null, name, value: plain(fields[name]), type, ...places[name] });
+    return { ...found, fields: plainFields(fields), values: reply.filter(has).map(valueOf), at, fault };
   },
   "daisy-command": (data, { set }) => {
     const isCut = data.length < 8, [number, layer_from, layer_to] = isCut ? [0, 0, 0] : data.subarray(5), entry = isCut ? null : daisy.get(number);
     const { operations, fault } = entry?.carries_operations ? readOperations(data, 8, set) : { operations: [] };
     const found = { command: entry?.name ?? null, number, fields: { layer_from, layer_to, payload: hexOf(data.subarray(8)) }, operations: fault ? [] : operations };
-    return isCut ? { ...found, at: 5, fault: cut(data, "the sub-command and the two layers") } : { ...found, fault: entry ? null : unknown(number, "daisy sub-command") };
+    return isCut ? { ...found, at: 5, fault: cut(data, "daisy-command") } : { ...found, fault: entry ? null : new Fault(5, "no_daisy", { byte: number }) };
   },
   "daisy-reply": (data, { isError }) => {
     const isCut = data.length < 7, [layer_from, layer_to] = isCut ? [0, 0] : data.subarray(5), payload = data.subarray(7), end = 5 + TABLES.frame.sensor_data;
-    const fields = { layer_from, layer_to, payload: hexOf(payload) }, found = { status: isError ? "error" : "ok", fields };
+    const fields = { layer_from, layer_to, payload: hexOf(payload) }, found = { status: statusOf(isError), fields };
     if (payload.length > end) {
       ["layer", "port", "status", "type", "mode"].forEach((name, index) => { fields[name] = payload[index]; });
       Object.assign(fields, { data: hexOf(payload.subarray(5, end)), checksum: payload[end], busy: hexOf(payload.subarray(end + 1)) });
     }
-    return isCut ? { ...found, at: 5, fault: cut(data, "the two layers") } : found;
+    return isCut ? { ...found, at: 5, fault: cut(data, "daisy-reply") } : found;
   },
 };
 
 /** Whether a frame may have a length: some system commands may be longer than all others. */
-const isPossible = (data, length, { kind } = {}) => (
-  length >= 3 && (length + 2 <= MOST || (kind === "system-command" && (data.length < 6 || system.get(data[5])?.is_long)))
-);
-const impossible = (length) => `the length field says ${length}; it can be 3 to ${MOST - 2}`;
+const isPossible = (data, length, { kind } = {}) => length >= 3 && (length + 2 <= MOST || (kind === "system-command" && (data.length < 6 || system.get(data[5])?.is_long)));
 
 /** Returns what is wrong with a frame outside its body. */
 const envelopeFault = (data, length, type) => {
-  const size = data.length, end = length + 2, command = type?.kind === "system-command" ? system.get(data[5]) : undefined;
-  if (!isPossible(data, length, type)) return new Fault(0, size === end && size > MOST ? `the frame has ${size} bytes; the maximum is ${MOST}` : impossible(length));
-  if (size < end) return new Fault(0, `the frame is cut off: its length field says that ${length} bytes follow, but ${size - 2} do`, true);
-  if (size === end) return type ? null : new Fault(4, `unknown message type ${shown(data[4])}`);
-  const hint = ". From a brick on a USB 3 port this is a known fault of its bootloader: the reply to $ with the request written over its first bytes";
-  const odd = type?.name === "SYSTEM_COMMAND_REPLY" && command?.bootloader ? hint.replace("$", command.name) : "";
-  return new Fault(end, `the frame is longer than its length field says: ${length} bytes should follow it, but ${size - 2} do${odd}`);
+  const size = data.length - 2;
+  if (!isPossible(data, length, type)) return size === length ? new Fault(0, "too_long", { size: size + 2 }) : new Fault(0, "wrong_length", { length });
+  if (size < length) return new Fault(0, "cut_off", { length, size }, true);
+  if (size === length) return type ? null : new Fault(4, "no_type", { byte: data[4] });
+  const longer = new Fault(length + 2, "longer", { length, size }), { name, bootloader } = (type?.name === "SYSTEM_COMMAND_REPLY" && system.get(data[5])) || {};
+  return bootloader ? new Fault(length + 2, "bootloader", { reason: longer.reason, name }) : longer;
 };
 
+/** Joins the faults outside and in a frame's body: the outer one first, then the inner one, unless the first explains it. */
+const worse = (outer, inner) => {
+  if (!outer || !inner || inner.truncated) return outer ?? inner;
+  return new Fault(outer.offset, "two", { reason: outer.reason, offset: inner.offset, inner: inner.reason });
+};
+const faulty = (message, { offset, reason }, rest, hex) => ({ ...message, fault: { offset, reason }, ...(rest && { rest }), hex });
+
 /** Returns what a frame says, as `ev3proto decode --json` prints it. `request` is the command that a reply answers: a frame, or its object. */
-export const decode = (frame, { request = null, dialect = "official" } = {}) => {
-  if (!TABLES.dialects.includes(dialect)) throw new RangeError(`unknown dialect ${dialect}; it can be ${TABLES.dialects.join(", ")}`);
+export const decode = (frame, { request, dialect } = {}) => {
   if (request instanceof Uint8Array) return decode(frame, { request: decode(request, { dialect }), dialect });
-  const size = frame.length, hex = hexOf(frame);
-  const tooShort = { offset: size, reason: `a frame has at least 5 bytes (length, counter, type), this one has ${size}` };
-  if (size < 5) return { kind: "unknown", fault: tooShort, ...(size && { rest: hex }), hex };
+  const set = instructions(dialect), size = frame.length, hex = hexOf(frame);
+  if (size < 5) return faulty({ kind: "unknown" }, new Fault(size, "no_header", { size }), hex, hex);
   const length = unsigned(frame, 0, 2), counter = unsigned(frame, 2, 2), type = types.get(frame[4]), isWrong = length + 2 !== size, outer = envelopeFault(frame, length, type);
-  if (!type) return { kind: "unknown", ...(isWrong ? { length } : {}), fault: { offset: outer.offset, reason: outer.reason }, rest: hex, hex };
+  if (!type) return faulty({ kind: "unknown", ...(isWrong && { length }) }, outer, hex, hex);
   const data = isWrong ? frame.subarray(0, Math.max(length + 2, 5)) : frame;
-  const { at = data.length, fault = null, ...keys } = BODIES[type.kind](data, { isError: type.is_error === true, request, set: instructions(dialect) });
-  const message = { kind: type.kind, type: type.name, length, counter, ...keys };
-  if (!outer && !fault) return Object.assign(message, { hex });
-  const { offset, reason } = outer ?? fault, more = outer && fault && !fault.truncated ? `; and at offset ${fault.offset}: ${fault.reason}` : "";
-  const rest = hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length));
-  return { ...message, fault: { offset, reason: reason + more }, ...(rest && { rest }), hex };
+  const { at = data.length, fault: inner, ...keys } = BODIES[type.kind](data, { isError: type.is_error === true, request, set });
+  const message = { kind: type.kind, type: type.name, length, counter, ...keys }, fault = worse(outer, inner);
+  return fault ? faulty(message, fault, hexOf(data.subarray(at)) + hexOf(frame.subarray(data.length)), hex) : Object.assign(message, { hex });
 };
 
 // What the tables say of a message
 /** Returns the declared parameter of each argument of an operation. */
-export const parametersOf = (operation, dialect = "official") => {
+export const parametersOf = (operation, dialect) => {
   const entry = entryOf(operation, instructions(dialect)), { args } = operation;
   return args.map((_, index) => parameterOf(entry, args, index)).map(({ kind, ...parameter }) => ({ ...parameter, type: kind.name }));
 };
@@ -406,7 +405,7 @@ export class Frames {
     while (this.pending.length >= 2) {
       const data = this.pending, length = unsigned(data, 0, 2), end = length + 2;
       const isPoll = length === 0, type = types.get(data[4]), isEarly = data.length < 5 && length >= 3;
-      if (!isPoll && !isEarly && !isPossible(data, length, type)) throw new RangeError(impossible(length));
+      if (!isPoll && !isEarly && !isPossible(data, length, type)) throw new RangeError(new Fault(0, "wrong_length", { length }).reason);
       if (data.length < end) return;
       this.pending = data.subarray(end);
       if (!isPoll) yield data.subarray(0, end);
@@ -416,26 +415,27 @@ export class Frames {
 
 /** Follows the frames of one computer and one brick in both directions. A reply answers the oldest command with its counter that it fits. */
 export class Dialogue {
-  #waiting = [];
-  #dialect;
-  constructor({ dialect = "official" } = {}) { this.#dialect = dialect; }
+  #waiting = []; #dialect;
+  constructor({ dialect } = {}) { this.#dialect = dialect; }
 
   /** The commands that wait for a reply, oldest first, as decode returned them. */
   get unanswered() { return this.#waiting.map(({ message }) => message); }
 
   /** Takes the next frame. Returns what decode returns of it; a reply of another size, or of one of several commands, has a `note`. */
   feed(frame) {
-    const message = decode(frame, { dialect: this.#dialect }), type = frame.length < 5 ? undefined : types.get(frame[4]);
+    const message = decode(frame, { dialect: this.#dialect }), type = types.get(frame[4]);
     if (!type) return message;
     const [carries, role] = type.kind.split("-"), key = `${carries} ${message.counter} ${carries === "system" ? frame[5] : ""}`;
     const alike = this.#waiting.filter((each) => each.key === key);
-    if (role === "command") {
-      if (!type.wants_reply) return message;
-      const forgotten = alike[MOST_ALIKE - 1] ? alike[0] : this.#waiting[MOST_WAITING - 1] && this.#waiting[0];
-      this.#waiting = this.#waiting.filter((each) => each !== forgotten);
-      this.#waiting.push({ key, size: carries === "direct" && frame.length >= 7 ? message.globals : null, message });
-      return message;
-    }
+    if (role === "reply") return this.#answer(frame, message, type, alike);
+    if (!type.wants_reply) return message;
+    const forgotten = alike[MOST_ALIKE - 1] ? alike[0] : this.#waiting[MOST_WAITING - 1] && this.#waiting[0];
+    this.#waiting = this.#waiting.filter((each) => each !== forgotten);
+    this.#waiting.push({ key, size: carries === "direct" && frame.length >= 7 ? message.globals : null, message });
+    return message;
+  }
+
+  #answer(frame, message, type, alike) {
     const size = type.name === "DIRECT_REPLY" ? Math.max(frame.length, message.length + 2) - 5 : null;
     const fitting = alike.filter((each) => size === null || each.size === null || each.size === size);
     const answered = fitting[0] ?? alike.at(-1);

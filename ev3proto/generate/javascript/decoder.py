@@ -10,6 +10,7 @@ from typing import Any
 from ev3proto.generate.javascript.build import written_file
 from ev3proto.generate.javascript.typescript import declarations_of_messages
 from ev3proto.generate.tables_json.build import build_tables
+from ev3proto.schema.reasons import REASONS
 from ev3proto.tables.declaration import Role
 from ev3proto.version import VERSION
 
@@ -67,9 +68,9 @@ _READINGS = (Role.SI_READING.name, Role.RAW_READING.name)
 
 
 def build_decoder() -> str:
-    """Returns the text of ev3-decode.mjs."""
+    """Returns the text of ev3-decode.mjs; pages wait for it, so only what is exported has its comment."""
     tables: Json = json.loads(build_tables())
-    found = {key: tables[key] for key in ("dialects", "frame")}
+    found = {key: tables[key] for key in ("dialects", "frame")} | {"reasons": REASONS}
     found |= {key: _kept(tables[key], keys) for key, keys in _KEYS.items() if key in tables}
     found["areas"] = {area: _kept(entries, _ENTRY) for area, entries in tables["areas"].items()}
     named = set(re.findall(r'"enum": "(\w+)"', json.dumps(found["areas"])))
@@ -78,8 +79,8 @@ def build_decoder() -> str:
         for name, each in tables["enumerations"].items()
         if name in named
     }
-    tables_text = f"/** A part of ev3-tables.json. */\nconst TABLES = {_parsed(found)};\n\n"
-    return _decoder_head() + tables_text + written_file("decode.mjs")
+    tables_text = f"/** A part of ev3-tables.json, and the words of faults. */\nconst TABLES = {_parsed(found)};\n\n"
+    return _decoder_head() + tables_text + re.sub(r"/\*\* .* \*/\n(?=const)", "", written_file("decode.mjs"))
 
 
 def _kept(entries: list[Json], keys: tuple[str, ...]) -> list[Json]:

@@ -235,13 +235,12 @@ do
     local function show_daisy_command(message, view)
         local text, at = message.text, HEADER_SIZE
         if message.stop < at + DAISY_PAYLOAD then
-            local reason = "the frame ends before the sub-command and the two layers"
-            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = reason })))
+            return cut_off(message, view, (phrases.finding("UNKNOWN_DAISY", { reason = REASONS.daisy_command })))
         end
         local number, from, to = byte(text, at + 1, at + 3)
         local name = DAISY.names[number]
         if not name then
-            local reason = format("unknown daisy sub-command 0x%02X", number)
+            local reason = phrases.filled(REASONS.no_daisy, { byte = format("0x%02X", number) })
             set_fault(message, at, phrases.finding("UNKNOWN_DAISY", { reason = reason }), "fault")
         end
         if view.item then view.item:add(field.daisy_command, bytes_between(view, at, at + 1)) end
@@ -256,7 +255,7 @@ do
 
     local function show_daisy_reply(message, view)
         local at, stop = HEADER_SIZE, message.stop
-        if stop < at + 2 then return cut_off(message, view, "the frame ends before the two layers") end
+        if stop < at + 2 then return cut_off(message, view, REASONS.daisy_reply) end
         local payload = add_layers(message, view, at)
         local line = format("daisy reply layer %d to %d", byte(message.text, at + 1, at + 2))
         at = at + 2
@@ -351,8 +350,7 @@ do
         local start = type.is_command and at + 1 or at + 2
         if stop < start then
             message.rest = type.is_command and stop or at
-            local reason = type.is_command and phrases.finding("NO_SYSTEM", {})
-                or "the frame ends before the command answered and the status"
+            local reason = type.is_command and phrases.finding("NO_SYSTEM", {}) or REASONS.system_reply
             return set_fault(message, stop, reason, "cut_off")
         end
         local number = byte(text, at + 1)

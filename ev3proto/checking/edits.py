@@ -121,6 +121,7 @@ def _of_order(frame: bytes) -> Iterator[Edit]:
         fields = dict(zip(given, struct.unpack_from(form, frame, LENGTH_FIELD), strict=True))
         if _is_header(fields, frame):
             extra = 0.0 if fields["counter"][0] else _EVEN_COUNTER
+            extra += _OPCODE if given[-1] == "counter" and fields["counter"][0] >= 0x80 else 0.0
             new = b"".join([fields[name] for name in right])
             yield Edit("header-order", LENGTH_FIELD, end, new, (", ".join(given), ", ".join(right)), extra)
 
@@ -150,6 +151,7 @@ _ORDERS = (
 )
 """Orders in which people give the fields of a header; `_FIELDS` has the right one."""
 _EVEN_COUNTER = 1.0  # the further cost of a counter whose low byte is zero
+_OPCODE = 3.0  # the same of one that is where operations begin, and begins like most of them
 
 
 def _of_decimals(frame: bytes) -> Iterator[Edit]:

@@ -44,7 +44,7 @@ from ev3proto.tables.frame import LENGTH_FIELD, MAX_FRAME, REPLY_TYPES, MessageT
 SURE = 3.6
 """The cost up to which a suggestion without a guess is certain enough for a fix."""
 
-_MOST = 8.0  # the cost above which nothing is said: too many other slips are as likely
+_MOST = 8.2  # the cost above which nothing is said: too many other slips are as likely
 _MARGIN = 0.4  # how much better than silence
 _CLEAR = 1.1  # how much better than all others a fix is
 _MOST_OF_CANDIDATE = 13.0  # the cost of a candidate, besides that of the frame's operations themselves

@@ -151,13 +151,13 @@ def test_a_command_that_seems_to_be_a_reply() -> None:
 
 
 def test_an_opcode_is_rarely_a_counter() -> None:
-    """Two bytes of the next operation, 82 and 1B, are no counter behind the type and the memory."""
+    """Behind the type and the memory, 82 and 1B begin the next operation."""
     (one, *_) = nearest("0600 80 0000 821B01")
     assert (one.kind, one.frame) == ("counter-missing", bytes.fromhex("0800 0000 80 0000 821B01"))
 
 
 def test_a_result_left_out_before_a_program_starts() -> None:
-    one, *_ = nearest("1100 0100 80 0020 C0 08 01 84 61 00 40 03 01 40 44 00")
+    one, *_ = nearest("1100 0100 80 0020 C0 08 01 80 61 00 44 03 01 40 44 00")
     assert one.message == "SIZE of FILE.LOAD_IMAGE is missing; this would start, stop or change programs"
 
 

@@ -13,10 +13,15 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from unittest import mock
+from urllib.parse import urljoin
 
 import pytest
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
 from support.announcing import Announcing, free_udp_port
+from support.browser import chromium
 from support.cli import run_ev3proto_text, run_program
+from support.playground import put_fakes, served_site
 from support.wireshark import Tshark
 
 from ev3proto import DecodeError
@@ -272,6 +277,22 @@ def test_the_client_in_javascript_finds_a_brick_by_its_beacon(node_client: Path)
     with Announcing("0016533f0c1e", 5556, to=port):
         found = json.loads(node(node_client, "--input-type=module", "-e", program))
     assert found == {"host": "127.0.0.1", "port": 5556, "serial": "0016533f0c1e", "name": "robot"}
+
+
+def test_the_page_asks_a_brick_in_a_browser(tmp_path: Path) -> None:
+    """The virtual brick is behind a fake of Web Serial, which gives replies in small pieces."""
+    (program,) = blocks(ROOT / "docs" / "howto" / "client.md", "html")
+    folder = tmp_path / "site"
+    folder.mkdir()
+    (folder / "brick.html").write_text(f"<!doctype html>{program}")
+    for name in ("ev3.mjs", "ev3-decode.mjs"):
+        (folder / name).symlink_to(ROOT / "exports" / name)
+    with served_site(folder) as address, chromium(tmp_path / "profile") as browser:
+        put_fakes(browser)
+        browser.get(urljoin(address, "/brick.html"))
+        browser.find_element(By.ID, "ask").click()
+        said = WebDriverWait(browser, 60, 0.05).until(lambda _: browser.find_element(By.ID, "said").text)
+        assert (said, browser.execute_script("return fake.sent")) == ("VALUE 7.5 V", ["08000100000400810160"])
 
 
 CLIENT = """\

@@ -2305,7 +2305,7 @@ local OPERATIONS = {
                 outside = { ", which is not in FILETYPE", "NO_MEMBER" } } } },
     { 0xD8, "MAILBOX_OPEN", "Opens a mailbox on this brick, at most 250 bytes of content",
         { { "NO", IN, DATA8, "number of the mailbox on this brick", range = { 0, 29 }, outside = { ", outside of 0 to 29", "OUTSIDE" } },
-            { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters", most = 49 },
+            { "BOXNAME", IN, STRING, "name of the mailbox", most = 49 },
             { "TYPES", IN, DATA8, "type of its values", enum = ENUMERATIONS.DATA_FORMAT,
                 outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
             { "FIFOSIZE", IN, DATA8, "depth of the queue, ignored by the firmware" },
@@ -2314,7 +2314,7 @@ local OPERATIONS = {
         { { "BRICKNAME", IN, STRING, "name of the other brick, empty: all connected ones" },
             { "HARDWARE", IN, DATA8, "read by the firmware and never used", enum = ENUMERATIONS.HWTYPE, special = { [0] = "as compilers write" },
                 outside = { ", which is not in HWTYPE", "NO_MEMBER" } },
-            { "BOXNAME", IN, STRING, "name of the mailbox, at most 49 characters", most = 49 },
+            { "BOXNAME", IN, STRING, "name of the mailbox", most = 49 },
             { "TYPE", IN, DATA8, "type of the values", enum = ENUMERATIONS.DATA_FORMAT,
                 outside = { ", which is not in DATA_FORMAT", "NO_MEMBER" } },
             { "VALUES", IN, COUNT, "number of values of TYPE follow; exactly one for a string, of at most 249 characters", element = "TYPE",
@@ -6411,4 +6411,4 @@ do
         operations.forget()
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: 8f0a6b5a0398b4c3
+-- Checksum of the lines above, by which a changed file is recognised: 477a33e89167de7d

@@ -1692,7 +1692,7 @@ export declare const ops: {
   /**
    * Opens a mailbox on this brick, at most 250 bytes of content
    * @param NO number of the mailbox on this brick (0 to 29)
-   * @param BOXNAME name of the mailbox, at most 49 characters (at most 49 characters)
+   * @param BOXNAME name of the mailbox (at most 49 characters)
    * @param TYPES type of its values (a member of DATA_FORMAT)
    * @param FIFOSIZE depth of the queue, ignored by the firmware
    * @param VALUES number of values, ignored by the firmware
@@ -1702,7 +1702,7 @@ export declare const ops: {
    * Sends values to a mailbox of another brick, Bluetooth only
    * @param BRICKNAME name of the other brick, empty: all connected ones
    * @param HARDWARE read by the firmware and never used (0: as compilers write; a member of HWTYPE)
-   * @param BOXNAME name of the mailbox, at most 49 characters (at most 49 characters)
+   * @param BOXNAME name of the mailbox (at most 49 characters)
    * @param TYPE type of the values (a member of DATA_FORMAT)
    * @param VALUES number of values of TYPE follow; exactly one for a string, of at most 249 characters
    */

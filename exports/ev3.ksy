@@ -4304,7 +4304,7 @@ types:
     doc: "Opens a mailbox on this brick, at most 250 bytes of content"
     seq:
       - {id: "no", type: argument(false), doc: number of the mailbox on this brick (0 to 29)}
-      - {id: boxname, type: argument(false), doc: "name of the mailbox, at most 49 characters (at most 49 characters)"}
+      - {id: boxname, type: argument(false), doc: name of the mailbox (at most 49 characters)}
       - {id: types, type: argument(false), doc: type of its values (a member of DATA_FORMAT)}
       - {id: fifosize, type: argument(false), doc: "depth of the queue, ignored by the firmware"}
       - {id: values, type: argument(false), doc: "number of values, ignored by the firmware"}
@@ -4317,7 +4317,7 @@ types:
       - id: hardware
         type: argument(false)
         doc: "read by the firmware and never used (0: as compilers write; a member of HWTYPE)"
-      - {id: boxname, type: argument(false), doc: "name of the mailbox, at most 49 characters (at most 49 characters)"}
+      - {id: boxname, type: argument(false), doc: name of the mailbox (at most 49 characters)}
       - {id: type_, type: argument(false), doc: type of the values (a member of DATA_FORMAT)}
       - id: values_count
         type: argument(false)

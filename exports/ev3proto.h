@@ -3683,7 +3683,7 @@ enum {
     /*
      * Opens a mailbox on this brick, at most 250 bytes of content
      *   NO        DATA8   number of the mailbox on this brick (0 to 29)
-     *   BOXNAME   string  name of the mailbox, at most 49 characters (at most 49 characters)
+     *   BOXNAME   string  name of the mailbox (at most 49 characters)
      *   TYPES     DATA8   type of its values (a member of DATA_FORMAT)
      *   FIFOSIZE  DATA8   depth of the queue, ignored by the firmware
      *   VALUES    DATA8   number of values, ignored by the firmware
@@ -3694,7 +3694,7 @@ enum {
      * Sends values to a mailbox of another brick, Bluetooth only
      *   BRICKNAME  string  name of the other brick, empty: all connected ones
      *   HARDWARE   DATA8   read by the firmware and never used (0: as compilers write; a member of HWTYPE)
-     *   BOXNAME    string  name of the mailbox, at most 49 characters (at most 49 characters)
+     *   BOXNAME    string  name of the mailbox (at most 49 characters)
      *   TYPE       DATA8   type of the values (a member of DATA_FORMAT)
      *   VALUES     count   number of values of TYPE follow; exactly one for a string, of at most 249 characters (at
      *       most 249 characters; each is what TYPE says)

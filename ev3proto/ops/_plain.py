@@ -658,7 +658,7 @@ def mailbox_open(
 
     Args:
         no: Number of the mailbox on this brick; 0 to 29; DATA8.
-        boxname: Name of the mailbox, at most 49 characters; at most 49 characters; string.
+        boxname: Name of the mailbox; at most 49 characters; string.
         types: Type of its values; a member of DATA_FORMAT; DATA8.
         fifosize: Depth of the queue, ignored by the firmware; DATA8.
         values: Number of values, ignored by the firmware; DATA8.
@@ -681,7 +681,7 @@ def mailbox_write(
     Args:
         brickname: Name of the other brick, empty: all connected ones; string.
         hardware: Read by the firmware and never used; 0: as compilers write; a member of HWTYPE; DATA8.
-        boxname: Name of the mailbox, at most 49 characters; at most 49 characters; string.
+        boxname: Name of the mailbox; at most 49 characters; string.
         type: Type of the values; a member of DATA_FORMAT; DATA8.
         values: Number of values of TYPE follow; exactly one for a string, of at most 249 characters; at most 249
             characters; a list, of the type in type.

@@ -20,6 +20,7 @@ class Subject(StrEnum):
     SOURCE = "source"  # of a program, with mistakes
     NO_HEADER = "no-header"  # operations
     NO_LENGTH = "no-length"  # a frame or a reply but for its length
+    HALF_LENGTH = "half-length"  # a command whose length has one byte
     LETTERS = "letters"  # a frame but for letters that look like digits
     PART = "part"  # a frame up to a mistake in its text
     FRAME = "frame"

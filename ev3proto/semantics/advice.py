@@ -14,6 +14,7 @@ _MOST_QUOTED, _MOST_DIGITS, _MOST_SENT = 24, 300, 100
 
 BARE = {
     Kind.NO_LENGTH: "this is a frame without its length bytes",
+    Kind.HALF_LENGTH: "this is a frame whose length has one byte; it needs two, the low one first",
     Kind.OPERATIONS: "these are operations without the header of a frame",
 }
 """What is said of bytes that lack a part of a frame."""

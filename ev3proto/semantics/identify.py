@@ -44,6 +44,7 @@ MOST_MISSING = 8
 
 _LEAST_OPERATIONS, _ASCII = 3, 0x7F
 _NEARLY, _MOST_OF_REPLY, _LEAST_PROSE, _LEAST_TELEGRAM = 2, 2, 4, 5
+_COMMANDS = frozenset(bytes((code,)) for code in COMMAND_TYPES)
 _DIRECT = (MessageType.DIRECT_COMMAND_REPLY, MessageType.DIRECT_COMMAND_NO_REPLY)
 
 
@@ -57,6 +58,7 @@ class Kind(Enum):
     NXT = "a telegram of the NXT"
     HUB = "a message of LEGO's Wireless Protocol"
     NO_LENGTH = "a frame without its length field"
+    HALF_LENGTH = "a command whose length field has one byte"
     OPERATIONS = "operations without a header"
     NOTHING = "nothing known"
 
@@ -248,9 +250,13 @@ def _bare(data: bytes, reader: FrameReader) -> Identity | None:
     if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
         return None
     found = [(Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))]
-    # Any bytes are a reply.
-    ordered = found if data[TYPE_AT - LENGTH_FIELD] in COMMAND_TYPES else found[::-1]
-    right = (Identity(kind, frame=frame) for kind, frame in ordered if frame is not None and _runs(frame, reader))
+    if data[TYPE_AT - LENGTH_FIELD] not in COMMAND_TYPES:
+        found.reverse()  # any bytes are a reply
+    if 0 <= data[0] - len(data[1:]) <= LENGTH_FIELD and data[TYPE_AT - 1 : TYPE_AT] in _COMMANDS:
+        found.insert(0, (Kind.HALF_LENGTH, with_length(data[1:])))  # it may count itself
+    if len(data) < LOOKS and data[TYPE_AT : TYPE_AT + 1] in _COMMANDS and frame_size(data) <= MOST_MISSING * len(data):
+        found = [each for each in found if each[0] is not Kind.OPERATIONS]  # a command begins so
+    right = (Identity(kind, frame=frame) for kind, frame in found if frame is not None and _runs(frame, reader))
     return next(right, None)
 
 

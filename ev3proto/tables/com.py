@@ -60,9 +60,7 @@ LIST_TYPE = Out(
 IS_ACTIVE = Out("ACTIVE", DATA8, "whether it is on", range=(0, 1), special=OFF_ON)
 ACTIVE = In("ACTIVE", DATA8, "whether to switch it on", range=(0, 1), special=OFF_ON)
 BOX_NO = In("NO", DATA8, "number of the mailbox on this brick", range=(0, 29))
-BOX_NAME = In(
-    "BOXNAME", STRING, f"name of the mailbox, at most {MOST_NAME} characters", note=FIRST_BYTE, most=MOST_NAME + 1
-)
+BOX_NAME = In("BOXNAME", STRING, "name of the mailbox", note=FIRST_BYTE, most=MOST_NAME + 1)
 REMOTE_NAME = In("REMOTE_NAME", STRING, "name of the other device or network")
 # The firmware reads these four and ignores them; their names are as vague.
 UNUSED = (

@@ -188,6 +188,20 @@ def offered() -> list[str]:
             ["Add the length"],
         ),
         (
+            "0A 2A 00 00 04 00 81 01 60",
+            "A frame with a length of one byte: reads the battery voltage.",
+            "none",
+            "A brick needs its length first, in two bytes.",
+            ["Write the length in two bytes"],
+        ),
+        (
+            "0F:00:00:00:80",
+            "A command of 5 bytes.",
+            "refuses",
+            "The brick refuses it at byte 5: the length field says that 15 bytes follow it, but there are 3.",
+            [],
+        ),
+        (
             f"09:12:31.0 Sent {BATTERY}\n09:12:31.1 Recv 0x|07:00|2A:00|02|66:66:F6:40|\n09:12:31.2 Sent {BATTERY}\n",
             "A log of 3 frames: 2 commands and 1 reply.",
             "takes",
@@ -340,9 +354,9 @@ def offered() -> list[str]:
         ),
         (
             "06 2A 00 80 00 00 01",
-            "A command of 7 bytes.",
-            "refuses",
-            "The brick refuses it at byte 0: the length has two bytes, the low one first.",
+            "A frame with a length of one byte: does nothing.",
+            "none",
+            "A brick needs its length first, in two bytes.",
             ["Write the length in two bytes"],
         ),
         (

@@ -126,6 +126,12 @@ NAMES = {
     "{\n 0x0D, 0, 1, 0, 0x80, 0, 0,\n opOUTPUT_POWER, LC0(0), LC0(1), LC1(50),\n opOUTPUT_START, LC0(0), LC0(1)\n}": (
         bytes.fromhex("0d 00 01 00 80 00 00 a4 00 01 81 32 a6 00 01")
     ),
+    # As docs/howto/c.md has it.
+    "static const uint8_t tone[] = {\n    EV3_HEADER(17, 0, DIRECT_COMMAND_NO_REPLY), EV3_MEMORY(0, 0),\n"
+    "    opSOUND, LC0(TONE), LC1(2), LC2(1000), LC2(1000)\n};\n": TONE,
+    "{EV3_HEADER(10, 0x2A, DIRECT_COMMAND_REPLY), EV3_MEMORY(4, 0), opUI_READ, LC0(GET_VBATT), GV0(0)}": bytes.fromhex(
+        "08 00 2a 00 00 04 00 81 01 60"
+    ),
 }
 
 
@@ -140,6 +146,7 @@ def test_an_omitted_counter() -> None:
     for text in (
         f"0F00xxxx{rest}",
         f"0F 00 xx xx {TONE[4:].hex(' ')}",
+        f"0F 00 ?? ?? {TONE[4:].hex(' ')}",
         f"0F00 XXXX {rest}",
         f"0F:00:xxxx:{TONE[4:].hex(':')}",
     ):

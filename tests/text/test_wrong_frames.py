@@ -135,6 +135,8 @@ BREAKS_OFF = {
     "say [15, 0, 0, 0, 128, 0, 0, 148] to it": 8,
     "{14, 0, 42, 0, 128}": 5,
     "09:00|2A:00|80|00:00|81|01|60|": 10,
+    "Recv 03 00 2A 00": 4,
+    "12:30:45.123 RX: 07 00 2A": 3,
 }
 
 
@@ -147,6 +149,8 @@ def test_the_start_of_a_frame_is_given_out(text: str) -> None:
 BARE = {
     "00 00 80 00 00 94 01 81 02 82 e8 03 82 e8 03": "this is a frame without its length bytes",
     "94 01 81 02 82 e8 03 82 e8 03": "these are operations without the header of a frame",
+    "0e 2a 00 80 00 00 94 01 01 82 b8 01 82 e8 03": "this is a frame whose length has one byte; it needs two, the low"
+    " one first",
 }
 
 
@@ -161,6 +165,48 @@ def test_what_lacks_its_header_is_named(text: str) -> None:
 def test_what_begins_like_a_frame_is_never_told_an_option(text: str) -> None:
     assert all(piece.problem is None for piece in read_text([text]))
     assert read_argument(text).problem is None
+
+
+NUMBERS = (
+    "Sent 12 of 40",
+    "Recv 4 bytes",
+    "Received 12 01 24 within 3 ms",
+    "2024-01-02 12:30:45 Sent command 03 00",
+    "send 01 02",
+    "Recv 200 300 400",
+    "sent 3 0 2",
+)
+
+
+@pytest.mark.parametrize("text", NUMBERS)
+def test_other_numbers_do_not_start_a_frame(text: str) -> None:
+    assert [piece.data for piece in read_text([text, f"Sent {TONE.hex(' ')}", text])] == [TONE]
+
+
+AND_A_CUT_ONE = {
+    "{tone} 08 00 2B 00 00 04 81 01": "08 00 2B 00 00 04 81 01",
+    "{tone};08002B0000048101": "08 00 2B 00 00 04 81 01",
+    "Sent {tone} Recv 03 00 2A 00": "03 00 2A 00",
+    "Sent {tone}, received 07 00 2A 00 02 66": "07 00 2A 00 02 66",
+    "{tone} then 08 00 2B 00 00 04 81": "08 00 2B 00 00 04 81",
+    "[15, 0, 0, 0, 128, 0, 0, 148, 1, 129, 2, 130, 232, 3, 130, 232, 3] [8, 0, 43, 0, 128]": "08 00 2B 00 80",
+}
+
+
+@pytest.mark.parametrize("text", AND_A_CUT_ONE)
+def test_a_cut_frame_behind_another_one_is_given_out(text: str) -> None:
+    line = text.format(tone=TONE.hex(" "))
+    first, second = read_text([line])
+    assert (first.data, first.problem) == (TONE, None)
+    assert (second.data.hex(" ").upper(), second.problem) == (AND_A_CUT_ONE[text], None)
+    assert line.rindex(second.text) + 1 == second.column
+    assert second.direction == ("received" if "ec" in text else None)
+
+
+def test_a_long_frame_has_none_behind_it() -> None:
+    frame = bytes.fromhex("c0 01 2a 00 02") + TONE[:-4] * 34 + bytes(1)
+    frame = (len(frame) - 2).to_bytes(2, "little") + frame[2:]
+    assert [piece.data for piece in read_text([f"Recv {frame.hex(' ')} ok 12"])] == [frame]
 
 
 LEFT_OVER = bytes.fromhex("07 00 01 00 02 00 00 48 42") + bytes.fromhex("99 1d 00 00 00 02 01 60").ljust(1015, b"\0")

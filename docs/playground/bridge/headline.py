@@ -185,6 +185,7 @@ _SUBJECTS: dict[Subject, tuple[Callable[[Headline, str], str], str, Callable[[He
     Subject.SOURCE: (_mistaken, "A program", _advised, ""),
     Subject.NO_HEADER: (_bare, "without its header", _of_bare, "header first: length, counter, type and memory"),
     Subject.NO_LENGTH: (_bare, "without its length", _of_bare, "length first"),
+    Subject.HALF_LENGTH: (_bare, "with a length of one byte", _of_bare, "length first, in two bytes"),
     Subject.LETTERS: (
         _bare,
         "with letters for digits",

@@ -35,6 +35,7 @@ _BETWEEN = re.compile(r"0[xX]|\\x|\W")
 
 _BARE = {
     Kind.NO_LENGTH: (Subject.NO_LENGTH, "length-missing"),
+    Kind.HALF_LENGTH: (Subject.HALF_LENGTH, "length-half"),
     Kind.OPERATIONS: (Subject.NO_HEADER, "header-missing"),
 }
 """What bytes are that lack something, and the kind of what is added to them."""

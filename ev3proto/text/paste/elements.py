@@ -17,8 +17,9 @@ from typing import NamedTuple
 from ev3proto.errors import BuildError
 from ev3proto.schema import names
 from ev3proto.schema.argument import encode_as
+from ev3proto.schema.header import build_frame, write_memory
 from ev3proto.tables import OPCODES
-from ev3proto.tables.frame import MessageType
+from ev3proto.tables.frame import LENGTH_FIELD, MessageType
 from ev3proto.text.paste.heads import CLOCK
 
 
@@ -53,7 +54,7 @@ _H = "[0-9a-fA-F]"
 _SUFFIX = r"(?:_?u8|[uU]?[yYL]|L?[uU]|\.to(?:U?Byte|Char)\(\))"
 _ESCAPE = rf"\\(?:[xX]\{{?{_H}{{1,2}}\}}?|u00{_H}{{2}}|u\{{{_H}{{1,2}}\}}|[0-3]?[0-7]{{1,2}}|[abtnvfre\\\"'\ \#])"
 _CHARACTER = rf"(?:\\(?:[xX]{_H}{{1,2}}|[0-7]{{1,3}}|[^\dxX])|[^'\\])"
-_MACRO = r"(?:LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\([^()]{0,80}\)"
+_MACRO = r"(?:LC[0124SXF]|[LG]V[0124X]|LAB1|EV3_(?:HEADER|MEMORY))\s?\([^()]{0,80}\)"
 _BEFORE = r"(?<![^,{(\[\s])"
 _AFTER = r"(?=\s{0,80}(?:[,}\])]|$))"
 _TYPE = r"(?:(?:un)?signed\s)?(?:s?byte|char|u?int8(?:_?t)?|u8|U?Int8|[US]?Byte|BYTE)"
@@ -142,7 +143,7 @@ FORMS = (
     Form(
         "unknown",
         "0F00xxxx",
-        rf"(?<!\w)(?:0[xX]|\\x)?(?:{_H}{{2}})*(?:[xX]{{2}}|MM)(?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})*(?!\w)",
+        rf"(?<!\w)(?:0[xX]|\\x)?(?:{_H}{{2}})*(?:[xX]{{2}}|MM|\?\?)(?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}}|\?\?)*(?![\w?])",
     ),
     Form("unknown", EXPRESSION, f"{EXPRESSION}+"),
     Form("marked", "LC1(20)", rf"{_BEFORE}(?:\w{{1,20}}\.)?{_MACRO}"),
@@ -294,7 +295,7 @@ UNLIKELY = ("bits", "octal", "words", "base64", "unquoted")
 """The bases in which a frame must be without a flaw, as any numbers have them."""
 
 _ONLY_DIGITS = re.compile(rf"(?!0[bB][01]{{8}}$){_H}+")
-_UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}})+)")
+_UNKNOWN = re.compile(rf"(?:0[xX]|\\x)?((?:{_H}{{2}}|[xX]{{2}}|[mM]{{2}}|\?\?)+)")
 _NAMED = {"a": "\a", "b": "\b", "t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b"}
 MISSPELT = re.compile(r"(?<!\\)(?:\\\\)*(?P<word>\\[xX](?!\{?[0-9a-fA-F]).{0,2})")
 r"""An escape without hex digits, such as `\xof`."""
@@ -308,7 +309,7 @@ def unknown_bytes(element: TextElement) -> list[bool]:
     if element.text[0] == EXPRESSION:
         return [True]
     found = _UNKNOWN.fullmatch(element.text)
-    return [pair[0] in "xXmM" for pair in re.findall("..", found[1] if found else "")]
+    return [pair[0] in "xXmM?" for pair in re.findall("..", found[1] if found else "")]
 
 
 class _Table(dict[str, bytes | None]):
@@ -391,7 +392,7 @@ _WAYS = (
     Way("0b00001111", r"(?:0[bB]|#b|B)([01]{4})_?([01]{4})", lambda found, _: _byte(int(found[1] + found[2], 2))),
     Way("-128", rf"(-?\d{{1,9}}){_SUFFIX}?", lambda found, _: _byte(int(found[1]), -128)),
     Way(EXPRESSION, f"{EXPRESSION}+", lambda *_: b"\0"),
-    Way("0fxx", _UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM]", "0", found[1]))),
+    Way("0fxx", _UNKNOWN.pattern, lambda found, _: bytes.fromhex(re.sub("[xXmM?]", "0", found[1]))),
     Way("0f_00", rf"{_H}{{2}}(?:_{_H}{{2}})+", lambda found, _: bytes.fromhex(found[0].replace("_", ""))),
     Way(r"\17\0", r"\\.*", lambda found, _: string_bytes(found[0])),
     Way("opNOP", r".*", lambda found, _: _of_name(found[0])),
@@ -448,7 +449,7 @@ def string_bytes(body: str) -> bytes | None:
         return None
 
 
-_MACRO_CALL = re.compile(r"(?:\w+\.)?(LC[0124SXF]|[LG]V[0124X]|LAB1)\s?\(\s*([^()]*?)\s*\)")
+_MACRO_CALL = re.compile(r"(?:\w+\.)?(LC[0124SXF]|[LG]V[0124X]|LAB1|EV3_\w+)\s?\(\s*([^()]*?)\s*\)")
 
 
 _NAME = re.compile(
@@ -491,18 +492,33 @@ def known_name(text: str) -> bytes | None:
 
 
 def _of_name(text: str) -> bytes | None:
-    """Returns the bytes of a name, or of one of LEGO's macros."""
+    """Returns the bytes of a name, of one of LEGO's macros, or of one of those that begin a frame in `ev3proto.h`."""
     call = _MACRO_CALL.fullmatch(text)
     if call is None:
         return known_name(text)
     macro, value = call.groups()
     try:
+        if macro in _OF_HEADER:
+            return _OF_HEADER[macro](*map(_value, value.split(",")))
         if macro == "LCS":
             return names.LCS(value[1:-1]) if len(value) > 1 and value[0] == value[-1] in "\"'" else None
         encode = getattr(names, macro, None)
         return encode_as(macro, _number(value)) if encode is None else encode(_number(value))
-    except (BuildError, KeyError, ValueError):
+    except (BuildError, KeyError, TypeError, ValueError):
         return None
+
+
+_OF_HEADER: dict[str, Callable[..., bytes]] = {
+    "EV3_HEADER": lambda size, counter, code: build_frame(code, counter, b"", size - LENGTH_FIELD),
+    "EV3_MEMORY": write_memory,
+}
+"""The macros of `ev3proto.h` that begin a frame."""
+
+
+def _value(text: str) -> int:
+    """Returns a number or the byte of a name."""
+    data = known_name(text)
+    return int(text, 0) if data is None else data[0]
 
 
 def _number(text: str) -> int:

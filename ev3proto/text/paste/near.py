@@ -24,6 +24,8 @@ from ev3proto.text.paste.runs import AROUND, Part, Row, Run
 from ev3proto.text.paste.strangers import strange_bytes
 
 _MOST_STARTS = 8
+_LEAST_TOLD = 3
+"""Bytes from which on the start of a frame is one where the text says which way it went."""
 _LISTS = re.compile(r"^$|[\[{(]$|<<$")
 """What is in front of a list of bytes."""
 _MOST_LOW = 0x7F
@@ -114,10 +116,11 @@ def _begun(runs: list[Run], rows: Sequence[Row]) -> Iterator[Near]:
 def _begun_in(run: Run, base: str, part: Part, rows: Sequence[Row]) -> Iterator[Near]:
     """Yields bytes in a part of a run that break off."""
     for start, end in islice(run.between_breaks(part), _MOST_STARTS):
-        data, (first, _) = part.data[start:end], run.span(part, start, end)
+        data, (first, last) = part.data[start:end], run.span(part, start, end)
         before = rows[0].line[max(0, first.start - _MOST_BEFORE) : first.start]
+        is_end = not rows[-1].line[last.end :].strip(AROUND)
         found = _with_stop(Near(data, run, part, start, end), base, rows)
-        if not _is_digest(part, data) and _is_meant(found, before) and strange_bytes(data) is None:
+        if not _is_digest(part, data) and _is_meant(found, before, is_end=is_end) and strange_bytes(data) is None:
             yield found
 
 
@@ -131,8 +134,8 @@ def _parts(run: Run, base: str) -> Iterator[Part]:
             yield Part(place, data, [0, len(data)])
 
 
-def _is_meant(found: Near, before: str) -> bool:
-    """Returns whether bytes in front of a slip or an end were meant as a frame."""
+def _is_meant(found: Near, before: str, *, is_end: bool) -> bool:
+    """Returns whether bytes in front of a slip or an end, which may be that of the text, were meant as a frame."""
     is_lesson = before.endswith(("0x|", "0X|"))
     first, last = (found.part.first + bisect_left(found.part.offsets, at) for at in (found.start, found.end))
     widths = {*found.run.widths[first:last]}
@@ -140,8 +143,12 @@ def _is_meant(found: Near, before: str) -> bool:
     is_counted = bool({1, 3} & widths)
     if _is_proved(found, before) or _is_begun(found, is_open, is_counted, is_lesson):
         return True
-    is_listed = is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
-    return found.is_stopped and is_listed and is_head(before) and head_of(before).direction is not None
+    if not is_head(before) or head_of(before).direction is None:
+        return False
+    if found.is_stopped:
+        return is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
+    # `Recv 03 00 2A 00`, but not `sent 3 of 10`.
+    return len(found.data) >= _LEAST_TOLD and widths == {2} and is_end and may_begin(found.data)
 
 
 def _is_begun(found: Near, is_open: bool, is_counted: bool, is_lesson: bool) -> bool:

@@ -22,7 +22,7 @@ from ev3proto.text.paste.judge import Reading, best
 from ev3proto.text.paste.near import Near, near, spelt, told
 from ev3proto.text.paste.pieces import LEAST, MAX_COLLECTED, MAX_LINE, MAX_TEXT, Pasted, Unknown, check_text, short
 from ev3proto.text.paste.repairs import Repaired, may_be_mended, repaired
-from ev3proto.text.paste.runs import AROUND, Part, Row, Run, of_rows, openings
+from ev3proto.text.paste.runs import AROUND, Part, Row, Run, of_rows, openings, shape
 from ev3proto.text.paste.strangers import strange_text
 
 _GATE = re.compile(
@@ -316,12 +316,15 @@ class Reader:
         """Yields the frames of a reading, or what was meant as one."""
         lines = {row.number: row.line for row in rows}
         found: list[Pasted] = []
+        end = 0
         if reading is not None:
             pieces = [*self._pieces(reading, lines, above)]
-            found = _once(pieces) if len(rows) == 1 < len(pieces) else [piece for piece, _ in pieces]
+            found = _once(pieces) if len(rows) == 1 < len(pieces) else [piece for piece, *_ in pieces]
             self._ended = (reading, rows) if reading.worth.is_whole else None
+            *_, end = pieces[-1]
+            one = _behind(rows[0], end, found) if len(rows) == 1 else None
         if one is not None:
-            found = [self._meant(one, lines, above)]
+            found = [*found, self._meant(one, lines, above, end)]
         yield from found
         self._has_frame = bool(found)
         if not found:
@@ -330,26 +333,29 @@ class Reader:
             # What was said above is true for a line and for those below it that are indented.
             self._before.clear()
 
-    def _meant(self, one: Near, lines: dict[int, str], above: Head) -> Pasted:
+    def _meant(self, one: Near, lines: dict[int, str], above: Head, position: int) -> Pasted:
         """Returns what was meant as a frame, without the check sum that a program prints behind it."""
         check_sum = self._check_sum()
         is_sum = bool(check_sum) and one.data.endswith(check_sum) and one.problem is None
-        piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above)
+        piece = _piece(one.run, one.part, one.start, one.end - is_sum, lines, above, position)
         data = one.data[: len(one.data) - is_sum]
         return piece._replace(cut=one.cut, problem=one.problem, slip=one.slip, notes=one.notes, data=data)
 
-    def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[tuple[Pasted, bool]]:
-        """Yields the frames of a reading and what follows them below, with whether a notation may begin there."""
+    def _pieces(self, reading: Reading, lines: dict[int, str], above: Head) -> Iterator[tuple[Pasted, bool, int]]:
+        """Yields the frames of a reading and what follows them below, each with more.
+
+        That is whether a notation may begin there, and where the frame ends in its line.
+        """
         run, position = reading.run, 0
         for part, frames in reading.parts:
             end, begins = 0, {0, *part.inside(run.breaks)}
             for start, end in _extents(reading, part, frames, self._check_sum(), lines):
                 piece = _piece(run, part, start, end, lines, above, position)
-                yield piece, start in begins
                 position = run.span(part, start, end)[1].end if len(lines) == 1 else 0
+                yield piece, start in begins, position
             if end in part.inside(run.rows) and any(part.data[end:]):
                 # A frame over several lines is complete without the rows below.
-                yield _follows(run.elements[part.first + bisect_left(part.offsets, end) : part.last]), True
+                yield _follows(run.elements[part.first + bisect_left(part.offsets, end) : part.last]), True, 0
 
 
 def _may_have_bytes(line: str) -> bool:
@@ -392,11 +398,20 @@ def _unknown(run: Run, part: Part, start: int, end: int, lines: dict[int, str]) 
                     yield Unknown(offset + at - start, one.line, one.start + 1, text)
 
 
-def _once(found: list[tuple[Pasted, bool]]) -> list[Pasted]:
+def _behind(row: Row, end: int, found: list[Pasted]) -> Near | None:
+    """Returns what was meant as another frame behind those in a line; the line is read as if it began there."""
+    if not row.elements or row.elements[-1].start < end:
+        return None
+    rest = Row(" " * end + row.line[end:], row.number)
+    one = near(rest.of_line(), [rest])
+    return None if one is None or one.data in [piece.data for piece in found] else one
+
+
+def _once(found: list[tuple[Pasted, bool, int]]) -> list[Pasted]:
     """Returns the pieces of a line without those that show one in front of them in another notation."""
     once: list[Pasted] = []
     places: dict[tuple[bytes, str | None], int] = {}
-    for piece, may_be_other in found:
+    for piece, may_be_other, _ in found:
         place = places.setdefault((piece.data, piece.direction), len(once))
         if place == len(once) or not may_be_other or (once[place].text == piece.text and not once[place].notes):
             once.append(piece)
@@ -532,6 +547,8 @@ def _below(row: Row, reading: Reading, rows: list[Row]) -> Pasted | None:
 
 def _are_like(elements: Sequence[TextElement], others: Sequence[TextElement]) -> bool:
     """Returns whether elements are written like others, and are hardly a word or zeros."""
-    widths, usual = ({len(one.text) for one in some} for some in (elements, others))
+    (widths, gaps), (usual, between) = (
+        ({len(one.text) for one in some}, {shape(one.gap) for one in some[1:]}) for some in (elements, others)
+    )
     is_zero = not "".join(one.text for one in elements).strip("0x, ")
-    return not is_zero and widths <= usual
+    return not is_zero and widths <= usual and gaps <= between

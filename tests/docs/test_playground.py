@@ -541,6 +541,16 @@ def test_a_running_program_is_said_and_can_be_stopped(page: Page) -> None:
     page.wait(lambda: page.texts("#bytes .chosen")[:2] == ["82", "1B"])
 
 
+def test_the_light_blinks_in_steps(page: Page) -> None:
+    # A light that changes with each frame of the screen costs a sixth of a core for as long as a program runs.
+    for name in ("LED_GREEN_PULSE", "LED_GREEN_FLASH"):
+        page.read(f"UI_WRITE(LED, {name})")
+        page.click("send")
+        page.wait(lambda name=name: page.text("leds") == name)
+        easing: list[str] = page.run("return pad.getAnimations()[0].effect.getKeyframes().map((each) => each.easing)")
+        assert easing[0].startswith("steps("), name
+
+
 def test_nothing_runs_while_nothing_happens(page: Page) -> None:
     # After the last news the worker sleeps until it is asked; it may collect garbage once.
     page.browser.find_element(By.XPATH, "//button[text()='A program that blinks']").click()

@@ -43,6 +43,16 @@ def test_a_brick_is_named_by_its_address_alone(tshark: Tshark) -> None:
     assert re.search(r"^1: 00:16:53:00:00:0a +24 +2257 +10 ", said, re.MULTILINE)
 
 
+def test_bytes_are_those_that_are_there(tshark: Tshark) -> None:
+    capture = Capture(RAW_IP)
+    connection = Connection(capture)
+    connection.send(bytes.fromhex("0008 0100 00 0400 81 01 60"))  # the two bytes of the length are swapped
+    connection.receive(bytes.fromhex("0300 0100 04"))
+    path = tshark.place(capture.data(), "swapped.pcap")
+    said = tshark.run(path, "-q", *tshark.statistics, "-o", "ev3_statistics.print:TRUE")
+    assert re.search(r"^UI_READ.GET_VBATT +1 +1 +15 ", said, re.MULTILINE), said
+
+
 def test_without_the_preference_nothing_is_printed(tshark: Tshark) -> None:
     assert tshark.run(CAPTURES / "wifi.pcapng", "-q", *tshark.statistics) == ""
 

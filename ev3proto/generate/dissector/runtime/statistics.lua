@@ -47,21 +47,21 @@ for _, name in ipairs({ "ev3.op", "ev3.sys_cmd", "ev3.daisy.command" }) do
     READERS[name] = read_name
 end
 
--- Returns the messages in a packet. The fields of brick and connection precede each message, whose first field is its
--- length.
+-- Returns the messages in a packet. The item of its frame and the fields of brick and connection precede each message,
+-- whose first field is its length, which may be wrong.
 local function read_messages(number)
-    local messages, message, brick, connection = {}, nil, "(unknown)", 1
+    local messages, message, brick, connection, bytes = {}, nil, "(unknown)", 1, 0
     for _, info in ipairs({ all_field_infos() }) do
         local name = info.name
-        if name == "ev3.brick" then
+        if name == "ev3" then
+            bytes = info.len
+        elseif name == "ev3.brick" then
             brick = info.value
         elseif name == "ev3.connection" then
             connection = info.value
         elseif name == "ev3.msg_len" then
-            message = {
-                packet = number, connection = format("%d: %s", connection, brick), bytes = info.value + info.len,
-                names = {},
-            }
+            local address = format("%d: %s", connection, brick)
+            message = { packet = number, connection = address, bytes = bytes, names = {} }
             messages[#messages + 1] = message
         elseif message and VALUES[name] then
             message[VALUES[name]] = info.value

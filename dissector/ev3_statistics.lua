@@ -80,6 +80,7 @@ local function read_messages(number)
             connection = info.value
         elseif name == "ev3.msg_len" then
             local address = format("%d: %s", connection, brick)
+            bytes = math.min(bytes, info.value + info.len) -- without the padding of a USB report
             message = { packet = number, connection = address, bytes = bytes, names = {} }
             messages[#messages + 1] = message
         elseif message and VALUES[name] then
@@ -379,4 +380,4 @@ function script.init()
         if prefs.export ~= "" then print(export_files(survey, prefs.export)) end
     end
 end
--- Checksum of the lines above, by which a changed file is recognised: bd0dcf1ae9de5958
+-- Checksum of the lines above, by which a changed file is recognised: e34a7dac13c2f81e

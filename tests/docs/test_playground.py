@@ -546,9 +546,13 @@ def test_the_light_blinks_in_steps(page: Page) -> None:
     for name in ("LED_GREEN_PULSE", "LED_GREEN_FLASH"):
         page.read(f"UI_WRITE(LED, {name})")
         page.click("send")
-        page.wait(lambda name=name: page.text("leds") == name)
+        page.wait(partial(_is_lit, page, name))
         easing: list[str] = page.run("return pad.getAnimations()[0].effect.getKeyframes().map((each) => each.easing)")
         assert easing[0].startswith("steps("), name
+
+
+def _is_lit(page: Page, name: str) -> bool:
+    return page.text("leds") == name
 
 
 def test_nothing_runs_while_nothing_happens(page: Page) -> None:

@@ -61,6 +61,7 @@ local function read_messages(number)
             connection = info.value
         elseif name == "ev3.msg_len" then
             local address = format("%d: %s", connection, brick)
+            bytes = math.min(bytes, info.value + info.len) -- without the padding of a USB report
             message = { packet = number, connection = address, bytes = bytes, names = {} }
             messages[#messages + 1] = message
         elseif message and VALUES[name] then

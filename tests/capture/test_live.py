@@ -27,7 +27,7 @@ from support.wireshark import Tshark
 
 ROOT = Path(__file__).parents[2]
 LOOPBACK = "lo0" if sys.platform == "darwin" else "lo"
-WITHIN = 30
+WITHIN = 60
 """Seconds after which everything must have happened."""
 
 UNLOCK = b"GET /target?sn=06165300000a VMTP1.0\r\nProtocol: EV3\r\n\r\n"

@@ -128,17 +128,19 @@ def _of_order(frame: bytes) -> Iterator[Edit]:
 
 def _is_header(fields: dict[str, bytes], frame: bytes) -> bool:
     """Returns whether fields in another order are a header: its memory, or else its type, is not there by chance."""
-    number, memory = fields["type"][0], fields.get("memory")
+    number, memory, has_counter = fields["type"][0], fields.get("memory"), fields["counter"][0] > 0
     if memory is None:
         return number in SYSTEM and fields["command"][0] in SYSTEM_BY_NUMBER
-    is_told = number == MessageType.DIRECT_COMMAND_NO_REPLY
+    is_silent = number == MessageType.DIRECT_COMMAND_NO_REPLY
+    is_told = is_silent or (number in DIRECT and has_counter)
     if list(fields)[-1] == "memory":
-        return number in DIRECT and (is_told or fields["counter"][0] > 0)
-    is_told = is_told or (fields["counter"][0] > 0 and any(memory))
-    is_possible = frame[TYPE_AT] == MessageType.DIRECT_COMMAND_REPLY or frame[TYPE_AT] not in _COMMANDS
-    return number in DIRECT and is_told and is_possible and memory != frame[HEADER_SIZE:COMMAND_HEADER_SIZE]
+        return is_told
+    is_told = is_silent or (is_told and any(memory))
+    return is_told and frame[TYPE_AT] not in _SURE_TYPES and memory != frame[HEADER_SIZE:COMMAND_HEADER_SIZE]
 
 
+_SURE_TYPES = frozenset(_COMMANDS) - {MessageType.DIRECT_COMMAND_REPLY}
+"""Types that are not in their place by chance, as zeros are."""
 _FIELDS = {"counter": "2s", "type": "s", "memory": "2s", "command": "s"}
 _ORDERS = (
     ("counter", "memory", "type"),

@@ -25,7 +25,6 @@ from ev3proto.reading.incoming import IncomingFile
 from ev3proto.reading.items import Event, Image, Problem, Source
 from ev3proto.reading.options import BUILTIN, ENGINES, MIB, Options, Sources
 from ev3proto.reading.parts import Part, Reading
-from ev3proto.semantics.advice import BARE
 from ev3proto.semantics.identify import Kind
 from ev3proto.tables.discovery import TCP_PORT
 from ev3proto.text.paste import Missing
@@ -124,7 +123,11 @@ Captured: TypeAlias = Record | Announcement | Skipped
 Other: TypeAlias = Captured | Image | Source
 
 
-_READS = {Kind.NO_LENGTH: "--no-length reads it", Kind.OPERATIONS: "--operations reads them"}
+_READS: dict[Kind | None, str] = {
+    Kind.NO_LENGTH: ": --no-length reads it",
+    Kind.OPERATIONS: ": --operations reads them",
+}
+"""The options that read bytes which lack a part of a frame."""
 
 
 class Problems:
@@ -152,12 +155,12 @@ class Problems:
 
     def show(self, problem: Problem) -> None:
         """Prints a problem, with the option that avoids it, or the line of a source that it is about."""
-        reads = next((f": {option}" for kind, option in _READS.items() if problem.message.endswith(BARE[kind])), "")
-        complain(f"{problem}{reads}")
+        said = f"{problem}{_READS.get(problem.lacks, '')}"
+        complain(said)
         if problem.excerpt:
             complain("\n".join(f"  {line}" for line in problem.excerpt.split("\n")))
         if problem.severity is Severity.ERROR:
-            self._heard(f"{problem}{reads}")
+            self._heard(said)
             self.errors += 1
 
     def records(self, events: Iterable[Event]) -> Iterator[Record]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from ev3proto.capture.record import Announcement, Place, Record, Skipped
 from ev3proto.checking.report import Severity
+from ev3proto.semantics.identify import Kind
 
 if TYPE_CHECKING:
     from ev3proto.text.assembly.errors import AssemblyError, SourceWarning
@@ -72,6 +73,7 @@ class Problem(NamedTuple):
     message   one sentence
     severity  an error is something that was not read; a warning or a hint is read as the sentence says
     excerpt   the line of a source with a mark at the column below it; empty for other problems
+    lacks     which part of a frame is missing in front of these bytes; None for other problems
     """
 
     place: Place
@@ -79,6 +81,7 @@ class Problem(NamedTuple):
     message: str
     severity: Severity = Severity.ERROR
     excerpt: str = ""
+    lacks: Kind | None = None
 
     def __str__(self) -> str:
         # A sentence may begin with the quoted text that it is about.

@@ -133,12 +133,13 @@ class TextReader:
             line = slip.line if slip.line > 1 or given.word is None else None
             place = place._replace(line=line, column=slip.column)
         if given.name is None or pasted.data:
-            return Problem(place, ProblemCode.TEXT, pasted.reason or problem)
+            return Problem(place, ProblemCode.TEXT, pasted.reason or problem, lacks=pasted.lacks)
         if PATH.fullmatch(given.name):
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), given.name)
         reason = pasted.reason if place.column == 1 else problem
         sentence = f"{given.quoted} is neither a file {self._options.words.argument}: {reason}"
-        return Problem(place, ProblemCode.TEXT if given.name.strip() else ProblemCode.EMPTY, sentence)
+        code = ProblemCode.TEXT if given.name.strip() else ProblemCode.EMPTY
+        return Problem(place, code, sentence, lacks=pasted.lacks)
 
     def _without_summary(self, lines: Iterable[str]) -> Iterator[str]:
         """Yields the lines, but not those of the compressed log in a bug report of Android."""

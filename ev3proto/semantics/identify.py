@@ -10,7 +10,7 @@ from __future__ import annotations
 import base64
 import binascii
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from enum import Enum
 from itertools import pairwise
 from typing import NamedTuple
@@ -249,15 +249,31 @@ def _bare(data: bytes, reader: FrameReader) -> Identity | None:
     least = _LEAST_OPERATIONS if max(data, default=0) > _ASCII else HEADER_SIZE
     if len(data) < least or frame_size(data) == len(data) or (frame_end(data) or len(data) + 1) <= len(data):
         return None
-    found = [(Kind.NO_LENGTH, without_length(data)), (Kind.OPERATIONS, with_header(data, reader))]
-    if data[TYPE_AT - LENGTH_FIELD] not in COMMAND_TYPES:
-        found.reverse()  # any bytes are a reply
-    if 0 <= data[0] - len(data[1:]) <= LENGTH_FIELD and data[TYPE_AT - 1 : TYPE_AT] in _COMMANDS:
-        found.insert(0, (Kind.HALF_LENGTH, with_length(data[1:])))  # it may count itself
-    if len(data) < LOOKS and data[TYPE_AT : TYPE_AT + 1] in _COMMANDS and frame_size(data) <= MOST_MISSING * len(data):
-        found = [each for each in found if each[0] is not Kind.OPERATIONS]  # a command begins so
+    found = ((kind, _COMPLETED[kind](data, reader)) for kind in _lacking(data))
     right = (Identity(kind, frame=frame) for kind, frame in found if frame is not None and _runs(frame, reader))
     return next(right, None)
+
+
+def _lacking(data: bytes) -> Iterator[Kind]:
+    """Yields what bytes may be that lack a part of a frame, the likeliest first."""
+    if 0 <= data[0] - len(data[1:]) <= LENGTH_FIELD and data[TYPE_AT - 1 : TYPE_AT] in _COMMANDS:
+        yield Kind.HALF_LENGTH  # it may count itself
+    is_command = data[TYPE_AT - LENGTH_FIELD] in COMMAND_TYPES
+    if is_command:
+        yield Kind.NO_LENGTH
+    begins_command = len(data) < LOOKS and data[TYPE_AT : TYPE_AT + 1] in _COMMANDS
+    if not begins_command or frame_size(data) > MOST_MISSING * len(data):
+        yield Kind.OPERATIONS
+    if not is_command:
+        yield Kind.NO_LENGTH  # any bytes are a reply
+
+
+_COMPLETED: dict[Kind, Callable[[bytes, FrameReader], bytes | None]] = {
+    Kind.HALF_LENGTH: lambda data, _: with_length(data[1:]),
+    Kind.NO_LENGTH: lambda data, _: without_length(data),
+    Kind.OPERATIONS: with_header,
+}
+"""The frames that bytes are with the part that they lack."""
 
 
 _ROWS: tuple[Callable[[bytes, FrameReader], Identity | None], ...] = (

@@ -291,11 +291,10 @@ def unresolved(report: Report, findings: Sequence[Finding], nearest: Sequence[Su
     after = check(nearest[0].frame, dialect=report.dialect, carrier=report.carrier, alone=report.alone)
     kept = {(one.code, one.operation, one.parameter) for one in after.findings}
     at = report.rejected_at or 0
-    causes = [one for one in report.errors if not report.accepted]
-    cause = next((one for one in causes if one.offset >= at), causes[0] if causes else None)
-    resolved = [one for one in findings if nearest[0].is_sure or one.severity is Severity.HINT]
-    gone = [one for one in resolved if one is not cause and (one.code, one.operation, one.parameter) not in kept]
-    return [one for one in findings if one not in gone]
+    causes = () if report.accepted else report.errors
+    cause = min(causes, key=lambda one: one.offset < at, default=None)
+    left = [one for one in findings if one is cause or (one.code, one.operation, one.parameter) in kept]
+    return left if nearest[0].is_sure else [one for one in findings if one in left or one.severity is not Severity.HINT]
 
 
 def _did_you_mean(frame: bytes, one: Suggestion, head: str, dialect: str) -> Iterator[Line]:

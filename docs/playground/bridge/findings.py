@@ -9,15 +9,13 @@ from typing import Any, NamedTuple
 
 from ev3proto.capture.record import Record
 from ev3proto.checking.checking import check
-from ev3proto.checking.codes import CODES
-from ev3proto.checking.program_codes import PROGRAM_CODES
 from ev3proto.checking.report import Report, Severity
 from ev3proto.errors import counted
 from ev3proto.program.report import ProgramReport, program_findings
 from ev3proto.text.diagnostics import diagnostics
 from ev3proto.text.spans import Line, Role
 
-from .words import pieces
+from .words import ALL_CODES, pieces
 
 MOST_FRAMES = 100
 """Maximum number of frames of each severity whose findings are shown."""
@@ -130,7 +128,7 @@ def _block(lines: Iterable[Line], checked: Checked | None, severity: str = "") -
     about = next((line for line in shown if line.code), None)
     if about is not None and about.offset is not None:
         at, length = about.offset, about.length or 1
-        severity = (CODES.get(about.code) or PROGRAM_CODES[about.code]).severity
+        severity = ALL_CODES[about.code].severity
     return {
         "lines": [pieces(line) for line in shown],
         "severity": severity,

@@ -106,7 +106,15 @@ def _candidates(line: str, frame: bytes | None, made: bytes | None, edited: str)
 
     `frame` is what is in it, if that is a frame; `made` the certain fix, and `edited` the line with it.
     """
-    found: dict[bytes, tuple[str, str]] = {}
+    found = _of_line(line, frame)
+    if made is not None and (made in found or not found):
+        kind = "shorter" if _is_right(frame or b"") else ""  # of a right frame
+        found[made] = found[made][0] if found else kind, edited
+    return found
+
+
+def _of_line(line: str, frame: bytes | None) -> dict[bytes, tuple[str, str]]:
+    """Returns the candidates but for the certain fix."""
     # Bytes may start after each word that is not bytes.
     starts = [word.end() for word in re.finditer(r"(\S+)\s+", line) if _bytes_of(word[1]) is None]
     for start in (0, *starts):
@@ -114,14 +122,12 @@ def _candidates(line: str, frame: bytes | None, made: bytes | None, edited: str)
         data = _bytes_of(text)
         if data is not None and _is_right(data):
             break  # what its end may mean is not what was meant
-        if frame in (None, data) and (all_meant := list(_meant(text))):
-            for kind, new in all_meant:
-                found.setdefault(new, (kind, line[:start] + as_hex(parse(new))))
-            break
-    if made is not None and (made in found or not found):
-        kind = "shorter" if _is_right(frame or b"") else ""  # of a right frame
-        found[made] = found[made][0] if found else kind, edited
-    return found
+        found: dict[bytes, tuple[str, str]] = {}
+        for kind, new in _meant(text) if frame in (None, data) else ():
+            found.setdefault(new, (kind, line[:start] + as_hex(parse(new))))
+        if found:
+            return found
+    return {}
 
 
 def _respelt(text: str, problems: Sequence[Problem]) -> Iterator[Proposal]:

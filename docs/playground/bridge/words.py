@@ -24,6 +24,8 @@ from ev3proto.text.spans import Line, Role, Spans, plain_text, visible
 
 MOST_COMPLETIONS = 10
 
+ALL_CODES = CODES | PROGRAM_CODES
+
 _CALL = re.compile(r"([A-Za-z_]\w*)\s*\(([^()]*)$")
 _WORD = re.compile(r"[A-Za-z_][\w.]*$")
 _PREFIXED = re.compile(r"op[A-Z]")
@@ -115,8 +117,8 @@ def explain(word: str, operation: str = "") -> str:
     found = ""
     chosen, name = _BY_NAME.get(operation), word.partition("[")[0]
     parameters = [each for each in (chosen.parameters if chosen else ()) if each.name == name]
-    if word in CODES | PROGRAM_CODES:
-        found = "\n".join(map(plain_text, explained((CODES | PROGRAM_CODES)[word]))) + "\n"
+    if word in ALL_CODES:
+        found = "\n".join(map(plain_text, explained(ALL_CODES[word]))) + "\n"
     elif word in ENCODING_TEXTS:
         found = f"{word}: {': '.join(ENCODING_TEXTS[word])}"
     elif parameters:

@@ -26,9 +26,10 @@ from typing import Literal
 
 from ev3proto.messages import DirectCommand
 from ev3proto.schema.frame import FrameReader, frame_reader, is_flawless
+from ev3proto.semantics.advice import BARE
 from ev3proto.semantics.footprint import memory_of
 from ev3proto.semantics.identify import with_header, without_length
-from ev3proto.text.paste.frames import bare_reason
+from ev3proto.text.paste.frames import lacking
 from ev3proto.text.paste.near import as_given, bytes_in
 from ev3proto.text.paste.pieces import MAX_LINE, MAX_TEXT, Pasted, check_text, short
 from ev3proto.text.paste.reader import Reader
@@ -92,11 +93,15 @@ def read_argument(text: str) -> Pasted:
     found = list(read_text(lines))
     if not any(piece.data or piece.problem for piece in found) and len(text) <= MAX_LINE:
         found = [as_given(" ".join(lines))]
-    first = found[0]
-    if first.problem is None and not first.cut and not first.unknown and not is_flawless(first.data):
-        reason = bare_reason(first.data)
-        first = first._replace(problem=reason, data=b"") if reason else first
+    first = _as_bare(found[0])
     if len(found) == 1 or first.problem is not None:
         return first
     problem = f"contains {len(found)} frames; only the first was read (pass each as a separate argument)"
     return first._replace(problem=problem)
+
+
+def _as_bare(piece: Pasted) -> Pasted:
+    """Returns a piece, without data and with a problem if its bytes lack a part of a frame."""
+    is_given = piece.problem is None and not piece.cut and not piece.unknown
+    lacks = lacking(piece.data) if is_given and not is_flawless(piece.data) else None
+    return piece if lacks is None else piece._replace(data=b"", problem=BARE[lacks], lacks=lacks)

@@ -13,10 +13,11 @@ from itertools import islice
 from typing import NamedTuple
 
 from ev3proto.schema.header import frame_end, frame_size, may_start
+from ev3proto.semantics.advice import BARE
 from ev3proto.semantics.identify import LOOKS, Kind, identify
 from ev3proto.tables.frame import LENGTH_FIELD
 from ev3proto.text.paste.elements import BYTES, TextElement, clean, string_bytes
-from ev3proto.text.paste.frames import HASHES, bare_reason, is_swapped, may_begin
+from ev3proto.text.paste.frames import HASHES, is_swapped, lacking, may_begin
 from ev3proto.text.paste.heads import head_of, is_head
 from ev3proto.text.paste.pieces import LEAST, MAX_TEXT, MOST_SHORT, Pasted, SlipPlace, short
 from ev3proto.text.paste.repairs import slip_in
@@ -143,12 +144,18 @@ def _is_meant(found: Near, before: str, *, is_end: bool) -> bool:
     is_counted = bool({1, 3} & widths)
     if _is_proved(found, before) or _is_begun(found, is_open, is_counted, is_lesson):
         return True
-    if not is_head(before) or head_of(before).direction is None:
-        return False
-    if found.is_stopped:
-        return is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
-    # `Recv 03 00 2A 00`, but not `sent 3 of 10`.
-    return len(found.data) >= _LEAST_TOLD and widths == {2} and is_end and may_begin(found.data)
+    is_listed = is_lesson or (len(found.data) > 1 and (is_open or not is_counted))
+    is_like_one = is_listed if found.is_stopped else is_end and _begins_one(found.data, widths)
+    return is_like_one and _tells_direction(before)
+
+
+def _tells_direction(before: str) -> bool:
+    return is_head(before) and head_of(before).direction is not None
+
+
+def _begins_one(data: bytes, widths: set[int]) -> bool:
+    """Returns whether bytes of these widths begin a frame: `Recv 03 00 2A 00`, but not `sent 3 of 10`."""
+    return len(data) >= _LEAST_TOLD and widths == {2} and may_begin(data)
 
 
 def _is_begun(found: Near, is_open: bool, is_counted: bool, is_lesson: bool) -> bool:
@@ -234,14 +241,17 @@ def spelt(runs: Iterable[Run]) -> str | None:
     return next((said for data in between if (said := strange_bytes(data, Kind.DIGITS))), None)
 
 
-def told(row: Row) -> str | None:
-    """Returns what a line of nothing but bytes is, if it is not a frame: one without its header, or something else."""
+def told(row: Row) -> Pasted | None:
+    """Returns a line of nothing but bytes with what it is instead of a frame, such as one without its header."""
     run = row.runs[-1]
     part = next(run.likely_parts(), None)
     is_all = part is not None and part.last - part.first == len(run.elements) and not row.after.strip(AROUND)
     if part is None or not is_all or not _is_data(row, run, part.data):
         return None
-    return strange_bytes(part.data) or (None if _is_dull(run, part) else bare_reason(part.data))
+    said = strange_bytes(part.data)
+    lacks = None if said or _is_dull(run, part) else lacking(part.data)
+    problem = BARE[lacks] if lacks else said
+    return Pasted(b"", row.number, short(row.line, MAX_TEXT), problem=problem, lacks=lacks) if problem else None
 
 
 def _is_dull(run: Run, part: Part) -> bool:

@@ -294,8 +294,8 @@ class Reader:
         if one is None and ended is not None and (rest := _below(row, *ended)) is not None:
             yield rest
             return
-        if one is None and row.elements and self._strange is None and (said := said or told(row)) is not None:
-            self._strange = _said(row.number, row.line, said)
+        if one is None and row.elements and self._strange is None:
+            self._strange = told(row) if said is None else _said(row.number, row.line, said)
         yield from self._emit([row], None, one, above)
 
     def _mended(self, row: Row, mended: Repaired, above: Head) -> Pasted:
@@ -322,7 +322,7 @@ class Reader:
             found = _once(pieces) if len(rows) == 1 < len(pieces) else [piece for piece, *_ in pieces]
             self._ended = (reading, rows) if reading.worth.is_whole else None
             *_, end = pieces[-1]
-            one = _behind(rows[0], end, found) if len(rows) == 1 else None
+            one = _behind(rows, end, found)
         if one is not None:
             found = [*found, self._meant(one, lines, above, end)]
         yield from found
@@ -398,9 +398,10 @@ def _unknown(run: Run, part: Part, start: int, end: int, lines: dict[int, str]) 
                     yield Unknown(offset + at - start, one.line, one.start + 1, text)
 
 
-def _behind(row: Row, end: int, found: list[Pasted]) -> Near | None:
+def _behind(rows: list[Row], end: int, found: list[Pasted]) -> Near | None:
     """Returns what was meant as another frame behind those in a line; the line is read as if it began there."""
-    if not row.elements or row.elements[-1].start < end:
+    row = rows[0]
+    if len(rows) > 1 or not row.elements or row.elements[-1].start < end:
         return None
     rest = Row(" " * end + row.line[end:], row.number)
     one = near(rest.of_line(), [rest])

@@ -203,7 +203,7 @@ class TextReader:
 def _has_bytes(pasted: Pasted, text: str) -> bool:
     """Whether the bytes of a text are meant; those of INFO(GET_VOLUME, GV0(0)) are letters of an operation."""
     data = pasted.data
-    return bool(data) and ("(" not in text or frame_size(data) == len(data) or not looks_like_assembly(text.strip()))
+    return bool(data) and (frame_size(data) == len(data) or not looks_like_assembly(text.strip()))
 
 
 def _is_record(line: str) -> bool:
